@@ -1,0 +1,48 @@
+#pragma once
+
+#include <limits>
+
+#include "core/scalar.hpp"
+#include "rheology/law.hpp"
+
+namespace talus::rheology {
+
+enum class Cap { none, hard, smooth };
+
+/// Named regularisations of the granular viscosity; each is exact when switched off (zero, or `none`).
+struct Regularisation {
+  double p_0 = 0.0;         ///< positive-part pressure p_+ = (p + sqrt(p^2 + p_0^2))/2 [Pa]; 0: p_+ = max(p, 0)
+  double rate_floor = 0.0;  ///< constant floor under D_norm [1/s]
+  double rate_speed = 0.0;  ///< u_r: floor u_r / H under D_norm, H the local thickness [m/s]
+  double eta_max = std::numeric_limits<double>::infinity();  ///< [Pa s]
+  Cap cap = Cap::none;
+};
+
+/// p_+ [Pa].
+template <class S>
+S positive_pressure(const S& p, double p_0) {
+  using std::sqrt;
+  using core::sqrt;
+  if (p_0 > 0.0) return 0.5 * (p + sqrt(p * p + p_0 * p_0));
+  return core::select_above(p, 0.0, [&] { return p; }, [] { return S(0.0); });
+}
+
+/// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 + floor^2),
+/// which must be positive when `cap` is none. The same floored rate enters I (3.15).
+template <class S, class F>
+S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor, const S& p) {
+  using std::sqrt;
+  using core::sqrt;
+  const S p_plus = positive_pressure(p, reg.p_0);
+  const S rate = sqrt(D_norm_squared + floor * floor + tiny_rate * tiny_rate);
+  const S I = 2.0 * grains.d * rate / sqrt(p_plus / grains.rho_star + tiny_speed * tiny_speed);
+  const S eta = friction(law, I) * p_plus / (2.0 * rate);
+  switch (reg.cap) {
+    case Cap::none: return eta;
+    case Cap::hard: return core::select_above(eta, reg.eta_max, [&] { return S(reg.eta_max); }, [&] { return eta; });
+    case Cap::smooth: return eta / sqrt(1.0 + eta * eta / (reg.eta_max * reg.eta_max));
+  }
+  return eta;
+}
+
+}  // namespace talus::rheology

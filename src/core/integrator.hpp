@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/statistics.hpp"
+
+namespace talus::core {
+
+/// What an observer sees after a step or at an output time. Spans are valid during the call only.
+struct Snapshot {
+  double t;                      ///< [s]
+  std::span<const double> y;     ///< shape n
+  std::span<const double> yp;    ///< shape n
+  const Statistics& statistics;
+};
+
+/// Watches an integration without touching it.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// After each accepted internal step. Return false to ask for an early, clean stop.
+  virtual bool on_step(const Snapshot&) { return true; }
+  /// At each requested output time, exactly there.
+  virtual void on_output(const Snapshot&) {}
+};
+
+/// Advances one DaeSystem in time.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// Begins at time t [s] from state y with derivative guess yp (shape n each) and makes them consistent.
+  virtual void start(double t, std::span<const double> y, std::span<const double> yp) = 0;
+  /// Integrates to exactly t_out [s], calling `observer.on_step` on the way. False if the observer asked to stop: then the
+  /// current time is below t_out. Throws IntegrationError.
+  virtual bool advance(double t_out, Observer& observer) = 0;
+  [[nodiscard]] virtual Snapshot current() const = 0;
+  /// One line naming integrator, linear solver, ordering and their versions.
+  [[nodiscard]] virtual std::string describe() const = 0;
+};
+
+}  // namespace talus::core

@@ -1,0 +1,1 @@
+talus_test(unit dual ROOMS core)
