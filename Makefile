@@ -1,0 +1,68 @@
+# A signpost over CMake: `make help` lists the ways. All building is in CMakeLists.txt.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory
+
+JOBS    ?= $(shell nproc)
+RELEASE := build/release
+SCENE   ?= runs/examples/heap_q46.toml
+OUT     ?= out/$(basename $(notdir $(SCENE)))
+
+# UMFPACK calls a BLAS from one thread: threads of OpenBLAS would fight over the cores (ten times slower on two busy ones).
+export OPENBLAS_NUM_THREADS := 1
+
+BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libnetcdf-dev \
+  libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
+PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib ffmpeg
+CHECK_PACKAGES := git clang-format clang-tidy
+
+.PHONY: help deps configure run test test-slow bench format check check-all clean
+
+help: ## this list
+	@echo "make WAY, where WAY is one of"
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' Makefile | expand -t 14
+
+deps: ## install missing Debian packages (run and test call it by themselves)
+	@.ci/deps $(BUILD_PACKAGES) $(PICTURE_PACKAGES)
+
+configure: deps
+	@cmake -S . -B $(RELEASE) -DCMAKE_BUILD_TYPE=Release --log-level=WARNING
+
+run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for another scene
+	@cmake --build $(RELEASE) -j $(JOBS) --target talus
+	@$(RELEASE)/talus run $(SCENE) --out $(OUT) --force
+	@$(RELEASE)/talus plot $(OUT)
+	@echo "Results: $(OUT)/run.nc, summary in $(OUT)/summary.json. Pictures and movie:"
+	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
+
+test: configure ## build and run all tests but the slow ones
+	@cmake --build $(RELEASE) -j $(JOBS)
+	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 600 --label-exclude slow --no-tests=error
+
+test-slow: configure ## the tests that need minutes: refinement studies of whole scenes
+	@cmake --build $(RELEASE) -j $(JOBS)
+	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 7200 --label-regex slow --no-tests=error
+
+bench: configure ## time the kernels; never asserted
+	@cmake --build $(RELEASE) -j $(JOBS) --target bench
+
+format: ## rewrite all C++ files to .clang-format
+	@.ci/deps $(CHECK_PACKAGES)
+	@git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' | xargs -r clang-format -i
+
+check: configure ## formatting, clang-tidy on what changed, architecture, sanitizers on unit and conformance tests
+	@.ci/deps $(CHECK_PACKAGES)
+	@.ci/check $(RELEASE) $(TIDY)
+	@cmake --build $(RELEASE) -j $(JOBS) --target tests_architecture
+	@ctest --test-dir $(RELEASE) --output-on-failure --label-regex architecture --no-tests=error
+	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1' -DTALUS_SANITIZE=address,undefined \
+	  --log-level=WARNING
+	@cmake --build build/sanitize -j $(JOBS) --target tests_unit tests_conformance
+	@ctest --test-dir build/sanitize --output-on-failure -j $(JOBS) --timeout 1200 --label-regex 'unit|conformance' --no-tests=error
+
+check-all: ## check, with clang-tidy on every file
+	@$(MAKE) check TIDY=all
+
+clean: ## remove what was built; results in out/ stay
+	@cmake -E rm -rf build
