@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/key.hpp"
+
+namespace talus::config {
+
+/// A table of the scene file and its keys.
+struct Section {
+  std::string name;
+  std::string doc;
+  std::vector<Key> keys;
+};
+
+/// Every key that a scene file may hold, in the order in which scenes are printed.
+class Schema {
+ public:
+  /// Opens a section; the keys added next belong to it.
+  Schema& section(std::string name, std::string doc);
+  /// Throws std::logic_error outside a section, for a name already declared, or for a default that the key refuses.
+  Schema& add(Key key);
+
+  [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
+  /// By dotted name, or null.
+  [[nodiscard]] const Key* find(std::string_view name) const;
+  [[nodiscard]] const Section* find_section(std::string_view name) const;
+  /// " (did you mean box.gap?)" for the nearest known key, or "".
+  [[nodiscard]] std::string suggest_key(std::string_view name) const;
+  [[nodiscard]] std::string suggest_section(std::string_view name) const;
+
+ private:
+  std::vector<Section> sections_;
+};
+
+/// The reference text of one section, or of all for an empty name: each key with type, range, unit, default and doc.
+/// Throws core::ConfigError for an unknown section.
+std::string explain(const Schema& schema, std::string_view section = {});
+
+}  // namespace talus::config

@@ -1,0 +1,50 @@
+#include "config/values.hpp"
+
+#include <stdexcept>
+
+namespace talus::config {
+
+template <class T>
+const T& Values::get(std::string_view name) const {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) throw std::logic_error("no value for key " + std::string(name));
+  const T* value = std::get_if<T>(&found->second.value);
+  if (value == nullptr) throw std::logic_error("key " + std::string(name) + " is of another type");
+  return *value;
+}
+template const double& Values::get<double>(std::string_view) const;
+template const std::int64_t& Values::get<std::int64_t>(std::string_view) const;
+template const bool& Values::get<bool>(std::string_view) const;
+template const std::string& Values::get<std::string>(std::string_view) const;
+template const std::vector<double>& Values::get<std::vector<double>>(std::string_view) const;
+
+std::string Values::place(std::string_view name) const {
+  const auto found = entries_.find(name);
+  return found == entries_.end() || found->second.place.empty() ? file_ : found->second.place;
+}
+
+void Values::set(const std::string& name, Value value, std::string place) {
+  entries_.insert_or_assign(name, Entry{std::move(value), std::move(place)});
+}
+
+std::string Values::to_toml() const {
+  std::string out;
+  for (const auto& section : schema_->sections()) {
+    out += (out.empty() ? "[" : "\n[") + section.name + "]\n";
+    for (const auto& key : section.keys) {
+      const auto found = entries_.find(key.name);
+      const std::string local = key.name.substr(section.name.size() + 1);
+      if (found == entries_.end()) {
+        out += "# " + local + ": " + key.condition + "\n";
+        continue;
+      }
+      out += local + " = " + config::to_toml(found->second.value);
+      if (!key.unit.empty()) out += "  # " + key.unit;
+      if (found->second.place.empty()) out += key.unit.empty() ? "  # default" : ", default";
+      out += "\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace talus::config

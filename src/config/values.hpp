@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/key.hpp"
+#include "config/schema.hpp"
+
+namespace talus::config {
+
+/// The checked values of a scene: every key of its schema that was given or has a default.
+class Values {
+ public:
+  /// `file` names the source in messages.
+  Values(const Schema& schema, std::string file) : schema_(&schema), file_(std::move(file)) {}
+  Values(Schema&&, std::string) = delete;
+
+  [[nodiscard]] const Schema& schema() const { return *schema_; }
+  [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
+  // Getters throw std::logic_error for a key that is absent or of another type: a fault of the program, not of the scene.
+  [[nodiscard]] double number(std::string_view name) const { return get<double>(name); }
+  [[nodiscard]] std::int64_t integer(std::string_view name) const { return get<std::int64_t>(name); }
+  [[nodiscard]] bool boolean(std::string_view name) const { return get<bool>(name); }
+  [[nodiscard]] const std::string& text(std::string_view name) const { return get<std::string>(name); }
+  [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const { return get<std::vector<double>>(name); }
+
+  /// Where the key was given: "scene.toml:12:1", "--set", or the file's name for a default.
+  [[nodiscard]] std::string place(std::string_view name) const;
+  /// Stores a value that its key accepts. An empty place marks a default.
+  void set(const std::string& name, Value value, std::string place);
+  /// The scene with all defaults filled in, as TOML that reads back to the same values.
+  [[nodiscard]] std::string to_toml() const;
+
+ private:
+  struct Entry {
+    Value value;
+    std::string place;
+  };
+  template <class T>
+  const T& get(std::string_view name) const;
+
+  const Schema* schema_;
+  std::string file_;
+  std::map<std::string, Entry, std::less<>> entries_;
+};
+
+}  // namespace talus::config
