@@ -1,55 +1,48 @@
 #pragma once
 
-#include <cmath>
+#include <string_view>
 #include <variant>
 
 #include "core/scalar.hpp"
+#include "rheology/classical.hpp"
+#include "rheology/constant.hpp"
+#include "rheology/grains.hpp"
+#include "rheology/partially_regularised.hpp"
 
 namespace talus::rheology {
 
-/// Below these a rate [1/s] and a granular sound speed sqrt(p/rho_*) [m/s] count as zero: they keep sqrt differentiable.
-inline constexpr double tiny_rate = 1e-12;
-inline constexpr double tiny_speed = 1e-9;
-
-struct Grains {
-  double rho_star;  ///< intrinsic density rho_* [kg/m3]
-  double Phi;       ///< solids fraction within the grains [1]
-  double d;         ///< diameter [m]
-  [[nodiscard]] double rho() const { return Phi * rho_star; }
-};
-
-/// mu(I) = mu_s + (mu_d - mu_s)/(I_0/I + 1), (1.3).
-struct Classical {
-  double mu_s, mu_d, I_0;
-  template <class S>
-  S friction(const S& I) const { return mu_s + (mu_d - mu_s) * I / (I + I_0); }
-};
-
-/// (3.19) with A of (3.20): logarithmic creep below I_N, rational above.
-struct PartiallyRegularised {
-  double mu_s, mu_d, mu_inf, I_0, I_N, alpha, A;
-  template <class S>
-  S friction(const S& I) const {
-    using std::sqrt; using std::log;
-    using core::sqrt; using core::log;
-    return core::select_above(
-        I, I_N, [&] { return S((mu_s * I_0 + mu_d * I + mu_inf * I * I) / (I_0 + I)); },
-        [&] { return S(sqrt(alpha / log(A / (I + 1e-300)))); });
-  }
-};
-
-/// Drucker-Prager: mu does not depend on I.
-struct Constant {
-  double mu_s;
-  template <class S>
-  S friction(const S&) const { return S(mu_s); }
-};
-
+/// Every friction law of the room. A law is an aggregate with name, friction, slope, friction_at_rest and inverse.
 using Law = std::variant<Classical, PartiallyRegularised, Constant>;
 
+/// mu(I).
 template <class S>
 S friction(const Law& law, const S& I) {
   return std::visit([&](const auto& l) { return l.friction(I); }, law);
+}
+/// The chain rule with the analytic slope: one pass over the N derivatives instead of one for each operation.
+template <int N>
+core::Dual<N> friction(const Law& law, const core::Dual<N>& I) {
+  return std::visit([&](const auto& l) { return I.chain(l.friction(I.value), l.slope(I.value)); }, law);
+}
+
+/// dmu/dI.
+template <class S>
+S friction_slope(const Law& law, const S& I) {
+  return std::visit([&](const auto& l) { return l.slope(I); }, law);
+}
+
+/// I with mu(I) = mu. Throws std::domain_error naming law, mu and the bound where there is none.
+[[nodiscard]] inline double inverse(const Law& law, double mu) {
+  return std::visit([&](const auto& l) -> double { return l.inverse(mu); }, law);
+}
+
+/// mu(0).
+[[nodiscard]] inline double friction_at_rest(const Law& law) {
+  return std::visit([](const auto& l) { return l.friction_at_rest(); }, law);
+}
+
+[[nodiscard]] inline std::string_view name(const Law& law) {
+  return std::visit([](const auto& l) { return std::string_view(l.name); }, law);
 }
 
 }  // namespace talus::rheology

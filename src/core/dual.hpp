@@ -96,6 +96,11 @@ Dual<N> tanh(const Dual<N>& x) {
   return x.chain(r, 1.0 - r * r);
 }
 template <int N>
+Dual<N> erf(const Dual<N>& x) {
+  constexpr double two_over_sqrt_pi = 1.12837916709551257390;
+  return x.chain(std::erf(x.value), two_over_sqrt_pi * std::exp(-x.value * x.value));
+}
+template <int N>
 Dual<N> pow(const Dual<N>& x, double exponent) {
   const double r = std::pow(x.value, exponent);
   return x.chain(r, exponent * r / x.value);

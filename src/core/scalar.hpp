@@ -10,6 +10,9 @@ namespace talus::core {
 inline double value_of(double x) { return x; }
 template <int N>
 double value_of(const Dual<N>& x) { return x.value; }
+/// A tracer has no value: any finite number does.
+template <int N>
+double value_of(const Trace<N>&) { return 1.0; }
 
 /// `yes()` where x > threshold, else `no()`. Only the branch taken is evaluated; a Trace evaluates and unites both.
 template <class Yes, class No>

@@ -43,6 +43,8 @@ Trace<N> log(const Trace<N>& x) { return x; }
 template <int N>
 Trace<N> tanh(const Trace<N>& x) { return x; }
 template <int N>
+Trace<N> erf(const Trace<N>& x) { return x; }
+template <int N>
 Trace<N> pow(const Trace<N>& x, double) { return x; }
 
 }  // namespace talus::core

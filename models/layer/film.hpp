@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/scalar.hpp"
+#include "layer/parameters.hpp"
+
+namespace talus::layer {
+
+/// The share of a column that may flow: 0 in the immobile film H <= Hs, then 1 - exp(-((H - Hs)/Hs)^2). C1.
+template <class S>
+S mobility(const Numerics& n, const S& H) {
+  using std::exp;
+  using core::exp;
+  return core::select_above(
+      H, n.film,
+      [&] {
+        const S s = (H - n.film) / n.film;
+        return S(1.0 - exp(-(s * s)));
+      },
+      [] { return S(0.0); });
+}
+
+/// How much a column counts as a film: 1 for H <= Hs, 0 for H >= Hs (1 + film_blend), C1 between.
+template <class S>
+S filminess(const Numerics& n, const S& H) {
+  return core::select_above(
+      H, n.film,
+      [&] {
+        const S s = (H - n.film) / (n.film * n.film_blend);
+        return core::select_above(s, 1.0, [] { return S(0.0); }, [&] { return S(1.0 - s * s * (3.0 - 2.0 * s)); });
+      },
+      [] { return S(1.0); });
+}
+
+/// Volume flux of one layer through a face between two columns, per unit gap [m2/s]: u times the mean thickness in the heap;
+/// where either column is a film, the mobile part of the column that gives, so that no column gives more than it holds
+/// above Hs. u_+- = (u +- sqrt(u^2 + e^2))/2.
+template <class S>
+S face_flux(const Numerics& n, const S& u, const S& h_left, const S& h_right, const S& H_left, const S& H_right) {
+  using std::sqrt;
+  using core::sqrt;
+  const S bulk = (1.0 - filminess(n, H_left)) * (1.0 - filminess(n, H_right));
+  const S root = sqrt(u * u + n.film_speed * n.film_speed);
+  const S donor = 0.5 * ((u + root) * h_left * mobility(n, H_left) + (u - root) * h_right * mobility(n, H_right));
+  return bulk * u * 0.5 * (h_left + h_right) + (1.0 - bulk) * donor;
+}
+
+/// Flux out over an open end; grains never come in there. `sign` is +1 at the right end, -1 at the left.
+template <class S>
+S end_flux(const Numerics& n, double sign, const S& u, const S& h, const S& H) {
+  using std::sqrt;
+  using core::sqrt;
+  return 0.5 * (u + sign * sqrt(u * u + n.film_speed * n.film_speed)) * h * mobility(n, H);
+}
+
+/// Flux through face `c` of a kernel's columns, whichever kind of face it is; u is zero at a wall.
+template <class S, class HeightsOf>
+S flux_through(const Numerics& n, const HeightsOf& g, bool left_end, bool right_end, int c, int k, const S& u) {
+  if (left_end) return end_flux(n, -1.0, u, g.h(c, k), g.H(c));
+  if (right_end) return end_flux(n, 1.0, u, g.h(c - 1, k), g.H(c - 1));
+  return face_flux(n, u, g.h(c - 1, k), g.h(c, k), g.H(c - 1), g.H(c));
+}
+
+}  // namespace talus::layer

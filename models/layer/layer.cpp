@@ -1,0 +1,136 @@
+#include "layer/layer.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/errors.hpp"
+#include "layer/terms/continuity.hpp"
+#include "layer/terms/forces.hpp"
+#include "layer/terms/inertia.hpp"
+#include "layer/terms/stress.hpp"
+
+namespace talus::layer {
+
+namespace {
+
+enum FieldNumber : std::uint8_t { field_u, field_omega, field_p, field_H };
+
+core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Unknowns& unknowns) {
+  core::Layout layout;
+  layout.fields = {{"u", "m s-1", core::Kind::differential, par.atol_velocity},
+                   {"omega", "m s-1", core::Kind::differential, par.atol_velocity},
+                   {"p", "Pa", core::Kind::algebraic, par.atol_pressure},
+                   {"H", "m", core::Kind::differential, par.atol_height}};
+  layout.field_of.assign(unknowns.size(), field_u);
+  for (int i = 0; i < c.n_columns; ++i) {
+    for (int k = 0; k < c.n_layers; ++k) {
+      layout.field_of[unknowns.omega(i, k + 1)] = field_omega;
+      layout.field_of[unknowns.p(i, k)] = field_p;
+    }
+    layout.field_of[unknowns.H(i)] = field_H;
+  }
+  return layout;
+}
+
+/// The equations: continuity and surface, inertia, stress, friction, pressure and weight.
+fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at) {
+  fv::Operator<Context>::Terms terms;
+  const auto add = [&](auto kernel) { terms.push_back(fv::make_term<Context>(std::move(kernel))); };
+  add(FaceFlux{at});
+  add(InterfaceFlux{at});
+  add(SurfaceRate{at});
+  add(Acceleration{at});
+  if (par.numerics.advection != Advection::none) {
+    add(ConvectionAlong{at});
+    if (par.grid.layers > 1) add(ConvectionAcross{at});
+  }
+  add(CornerStress{{at}, {}});
+  add(CentreStress{{at}, {}});
+  if (par.wall.mu_w > 0.0) add(WallFriction{at});
+  add(PressureAlong{at});
+  add(PressureAcross{at});
+  return terms;
+}
+
+}  // namespace
+
+Layer::Layer(Parameters parameters)
+    : parameters_(std::move(parameters)),
+      columns_{parameters_.grid.columns, parameters_.grid.layers, parameters_.box.length, parameters_.box.periodic},
+      layering_(parameters_.grid.layers, parameters_.grid.cluster_depth),
+      unknowns_(columns_, !parameters_.box.left_open),
+      layout_(make_layout(parameters_, columns_, unknowns_)) {
+  if (columns_.n_columns < 1 || columns_.n_layers < 2) throw std::invalid_argument("layer: needs a column and two layers");
+  context_.parameters = &parameters_;
+  context_.columns = columns_;
+  const std::size_t n_heights = std::size_t(columns_.n_columns) * (columns_.n_layers + 1);
+  context_.z.resize(n_heights);
+  context_.dz.resize(n_heights);
+  context_.d2z.resize(n_heights);
+  std::vector<double> y(unknowns_.size()), yp(unknowns_.size());
+  initial_state(0.0, y, yp);
+  operator_ = std::make_unique<fv::Operator<Context>>(unknowns_.size(), make_terms(parameters_, {columns_, unknowns_}),
+                                                      context(0.0, y));
+}
+
+const Context& Layer::context(double t, std::span<const double> y) const {
+  context_.t = t;
+  const int n = columns_.n_layers + 1;
+  for (int i = 0; i < columns_.n_columns; ++i) {
+    const double H = y[unknowns_.H(i)];
+    if (!(H > 0.0) || !std::isfinite(H)) throw core::InadmissibleState(describe(unknowns_.H(i)) + " is not positive");
+    const std::size_t a = context_.at(i, 0);
+    layering_.heights(H, {&context_.z[a], std::size_t(n)}, {&context_.dz[a], std::size_t(n)}, {&context_.d2z[a], std::size_t(n)});
+  }
+  return context_;
+}
+
+void Layer::initial_state(double, std::span<double> y, std::span<double> yp) const {
+  std::fill(y.begin(), y.end(), 0.0);
+  std::fill(yp.begin(), yp.end(), 0.0);
+  const double weight = parameters_.grains.rho() * parameters_.box.gravity * std::cos(parameters_.box.tilt);
+  const double H = parameters_.initial.thickness;
+  std::vector<double> z(columns_.n_layers + 1), dz(z), d2z(z);
+  layering_.heights(H, z, dz, d2z);
+  for (int i = 0; i < columns_.n_columns; ++i) {
+    y[unknowns_.H(i)] = H;
+    for (int k = 0; k < columns_.n_layers; ++k) y[unknowns_.p(i, k)] = weight * (H - 0.5 * (z[k] + z[k + 1]));
+  }
+}
+
+void Layer::residual(double t, std::span<const double> y, std::span<const double> yp, std::span<double> r) const {
+  operator_->residual(context(t, y), y, yp, r);
+}
+
+void Layer::jacobian(double t, std::span<const double> y, std::span<const double> yp, double c_j,
+                     std::span<double> values) const {
+  operator_->jacobian(context(t, y), y, yp, c_j, values);
+}
+
+std::string Layer::describe(core::Index row) const {
+  const core::Index stride = 3 * core::Index{columns_.n_layers} + 1;
+  const int i = static_cast<int>(row / stride);
+  const auto field = layout_.field_of[row];
+  const int in_column = static_cast<int>(row % stride);
+  const int k = i == columns_.n_columns ? in_column : in_column / 3;
+  const double x = field == field_u ? columns_.x_face(i) : columns_.x_centre(i);
+  char text[128];
+  if (field == field_H) {
+    std::snprintf(text, sizeof text, "H of column %d (x = %.5g m)", i, x);
+  } else {
+    std::snprintf(text, sizeof text, "%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(),
+                  field == field_u ? "face" : "column", i, field == field_omega ? "interface" : "layer",
+                  field == field_omega ? k + 1 : k, columns_.n_layers, x);
+  }
+  return text;
+}
+
+std::vector<double> Layer::breakpoints() const {
+  std::vector<double> times;
+  if (parameters_.inflow.rate > 0.0)
+    for (const double t : {parameters_.inflow.start, parameters_.inflow.stop})
+      if (std::isfinite(t)) times.push_back(t);
+  return times;
+}
+
+}  // namespace talus::layer

@@ -1,0 +1,176 @@
+#pragma once
+
+#include "layer/terms/kernel.hpp"
+
+namespace talus::layer {
+
+/// Deviatoric stress tau = 2 eta D (3.17) in the plane, trace-free: tau_zz = -tau_xx.
+template <class S>
+struct Stress {
+  S xx, xz;
+};
+
+template <class S>
+Stress<S> granular_stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p, const S& H) {
+  const auto& reg = par.regularisation;
+  const S D_norm_squared = D_xx * D_xx + D_xz * D_xz;
+  const S eta = reg.rate_speed > 0.0
+                    ? rheology::viscosity(par.law, par.grains, reg, S(D_norm_squared + reg.rate_floor * reg.rate_floor),
+                                          S(reg.rate_speed / H), p)
+                    : rheology::viscosity(par.law, par.grains, reg, D_norm_squared, reg.rate_floor, p);
+  const S two_eta = 2.0 * eta;
+  return {two_eta * D_xx, two_eta * D_xz};
+}
+
+/// Strain rate at a cell corner: interface k of face f, k < n_layers. The shear across layers is one compact difference;
+/// D_xx follows from D_zz by incompressibility; on the no-slip base the velocity below is zero.
+template <class S>
+struct CornerStrain {
+  S D_xx, D_xz;
+};
+
+/// Inputs of the corner stencil, shared by stress and diagnostics.
+struct CornerSlots {
+  enum In { u_, omega_ = 2, p_ = 8, H_ = 12 };
+  static constexpr int n_in = 16;
+  static void connect(const Unknowns& y, int f, int k, std::array<Index, n_in>& in) {
+    in[0] = y.u(f, k - 1);
+    in[1] = y.u(f, k);
+    for (int c = 0; c < 2; ++c)
+      for (int j = 0; j < 3; ++j) in[omega_ + 3 * c + j] = y.omega(f - 1 + c, k - 1 + j);
+    const int below = k > 0 ? k - 1 : 1;  // on the base the pressure is extrapolated from the two lowest layers
+    in[p_] = y.p(f - 1, below);
+    in[p_ + 1] = y.p(f, below);
+    in[p_ + 2] = y.p(f - 1, k);
+    in[p_ + 3] = y.p(f, k);
+    for (int c = 0; c < 4; ++c) in[H_ + c] = y.H(f - 2 + c);
+  }
+};
+
+template <class S>
+CornerStrain<S> corner_strain(const Heights<S>& g, int k, double dx, const std::array<S, CornerSlots::n_in>& y) {
+  const S* omega_left = &y[CornerSlots::omega_];
+  const S* omega_right = omega_left + 3;
+  const auto omega = [&](int j) { return S(0.5 * (omega_left[j] + omega_right[j])); };
+  const S& u_below = y[0];
+  const S& u_above = y[1];
+  const S slope = g.slope_corner(2, k);
+  const S w_above = u_above * g.slope_face(2, k) + 0.5 * (omega(1) + omega(2));
+  const S dz = k > 0 ? S(0.5 * (g.h_face(2, k - 1) + g.h_face(2, k))) : S(0.5 * g.h_face(2, 0));
+  const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(0.0);
+  const S u = k > 0 ? S(0.5 * (u_below + u_above)) : S(0.0);
+  const S u_z = (u_above - u_below) / dz;
+  const S w_z = (w_above - w_below) / dz;
+  const S stretch = slope * u_z - w_z;  // du/dx along the layer
+  const S w_x = stretch * slope + u * ((g.slope(2, k) - g.slope(1, k)) / dx) + (omega_right[1] - omega_left[1]) / dx;
+  return {-w_z, S(0.5 * (u_z + w_x - slope * w_z))};
+}
+
+/// Pressure at a corner, linear between the layers on both sides, so that a lithostatic pressure is exact.
+template <class S>
+S corner_pressure(const Heights<S>& g, int k, const std::array<S, CornerSlots::n_in>& y) {
+  const S p_k = 0.5 * (y[CornerSlots::p_ + 2] + y[CornerSlots::p_ + 3]);
+  const S p_other = 0.5 * (y[CornerSlots::p_] + y[CornerSlots::p_ + 1]);
+  if (k == 0) return p_k + (p_k - p_other) * g.h_face(2, 0) / (g.h_face(2, 0) + g.h_face(2, 1));
+  const S h_below = g.h_face(2, k - 1), h_above = g.h_face(2, k);
+  return (p_other * h_above + p_k * h_below) / (h_below + h_above);
+}
+
+/// Traction on interface k between two momentum volumes of face f, and the shear on the upright face between the two
+/// vertical-momentum volumes beside it. The surface (k = n_layers) is free of traction.
+struct CornerStress : Kernel, CornerSlots {
+  static constexpr int n_in = CornerSlots::n_in, n_out = 12;
+
+  [[nodiscard]] Index n_places() const { return n_face_layers(); }
+  void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
+    const int f = across(place), k = layer(place);
+    CornerSlots::connect(unknowns, f, k, in);
+    out.fill(-1);
+    if (k > 0) connect_momentum(unknowns, f, k - 1, out, 0);
+    connect_momentum(unknowns, f, k, out, 5);
+    if (k > 0 && !columns.is_end(f)) {
+      out[10] = unknowns.momentum_w(f - 1, k);
+      out[11] = unknowns.momentum_w(f, k);
+    }
+  }
+  template <class S>
+  void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
+    const int f = across(place), k = layer(place);
+    const Heights<S> g(c, f - 2, &in.y[H_], &in.rate[H_]);
+    const auto strain = corner_strain(g, k, columns.dx(), in.y);
+    const S p = corner_pressure(g, k, in.y);
+    const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, p, S(0.5 * (g.H(1) + g.H(2))));
+    const S slope = g.slope_corner(2, k);
+    const S T_x = width(f) * (tau.xz - slope * tau.xx);
+    const S T_z = width(f) * (-tau.xx - slope * tau.xz);
+    if (k > 0) scatter_momentum(S(-T_x), S(-T_z), g.slope_face(2, k - 1), out, 0);
+    scatter_momentum(T_x, T_z, g.slope_face(2, k), out, 5);
+    if (k > 0) {
+      const S shear = (0.5 / columns.dx()) * (g.h_face(2, k - 1) + g.h_face(2, k)) * tau.xz;
+      out[10] -= shear;
+      out[11] += shear;
+    }
+  }
+};
+
+/// Inputs of the cell-centre stencil, shared by stress and diagnostics.
+struct CentreSlots {
+  enum In { u_, omega_ = 6, p_ = 12, H_ = 13 };
+  static constexpr int n_in = 18;
+  static void connect(const Unknowns& y, int i, int k, std::array<Index, n_in>& in) {
+    for (int c = 0; c < 2; ++c)
+      for (int j = 0; j < 3; ++j) in[u_ + 3 * c + j] = y.u(i + c, k - 1 + j);
+    for (int c = 0; c < 3; ++c) {
+      in[omega_ + 2 * c] = y.omega(i - 1 + c, k);
+      in[omega_ + 2 * c + 1] = y.omega(i - 1 + c, k + 1);
+    }
+    in[p_] = y.p(i, k);
+    for (int c = 0; c < 5; ++c) in[H_ + c] = y.H(i - 2 + c);
+  }
+};
+
+template <class S>
+CornerStrain<S> centre_strain(const Heights<S>& g, int k, int n_layers, double dx,
+                              const std::array<S, CentreSlots::n_in>& y) {
+  const auto u = [&](int j) { return S(0.5 * (y[j] + y[3 + j])); };
+  const auto omega_mean = [&](int c) { return S(0.5 * (y[CentreSlots::omega_ + 2 * c] + y[CentreSlots::omega_ + 2 * c + 1])); };
+  const S h = g.h(2, k);
+  const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : S(0.5 * h);
+  S u_z;
+  if (k == n_layers - 1) {
+    u_z = (u(1) - u(0)) / reach_down;
+  } else {
+    u_z = (u(2) - u(0)) / (reach_down + 0.5 * (h + g.h(2, k + 1)));
+  }
+  const S slope = g.slope_centre(2, k);
+  const S u_x = (y[4] - y[1]) / dx;
+  const S omega_z = (y[CentreSlots::omega_ + 3] - y[CentreSlots::omega_ + 2]) / h;
+  const S w_z = slope * u_z + u(1) * (g.slope(2, k + 1) - g.slope(2, k)) / h + omega_z;
+  const S w_x = u_x * slope + u(1) * ((g.slope_face(3, k) - g.slope_face(2, k)) / dx) +
+                (omega_mean(2) - omega_mean(0)) * (0.5 / dx);
+  return {S(u_x - slope * u_z), S(0.5 * (u_z + w_x - slope * w_z))};
+}
+
+/// Traction on the upright face between two momentum volumes, in the middle of cell (i, k).
+struct CentreStress : Kernel, CentreSlots {
+  static constexpr int n_in = CentreSlots::n_in, n_out = 2;
+
+  [[nodiscard]] Index n_places() const { return n_cells(); }
+  void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
+    const int i = across(place), k = layer(place);
+    CentreSlots::connect(unknowns, i, k, in);
+    out = {unknowns.momentum_u(i, k), unknowns.momentum_u(i + 1, k)};
+  }
+  template <class S>
+  void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
+    const int i = across(place), k = layer(place);
+    const Heights<S> g(c, i - 2, &in.y[H_], &in.rate[H_]);
+    const auto strain = centre_strain(g, k, columns.n_layers, columns.dx(), in.y);
+    const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, in.y[p_], g.H(2));
+    const S area = g.h(2, k) / columns.dx();
+    out[0] -= area * (tau.xx + g.slope_face(2, k) * tau.xz);
+    out[1] += area * (tau.xx + g.slope_face(3, k) * tau.xz);
+  }
+};
+
+}  // namespace talus::layer

@@ -1,0 +1,23 @@
+#include "rheology/classical.hpp"
+
+#include <cmath>
+
+#include "rheology/checks.hpp"
+
+namespace talus::rheology {
+
+double Classical::inverse(double mu) const {
+  if (!(mu >= mu_s && mu < mu_d))
+    checks::no_inverse(name, mu, "needs mu_s = " + checks::text(mu_s) + " <= mu < mu_d = " + checks::text(mu_d));
+  return I_0 * (mu - mu_s) / (mu_d - mu);
+}
+
+Classical classical(double mu_s, double mu_d, double I_0) {
+  checks::above(0.0, Classical::name, "mu_s", mu_s);
+  checks::require(std::isfinite(mu_d) && mu_d >= mu_s, Classical::name, "mu_d", mu_d,
+                  "finite and at least mu_s = " + checks::text(mu_s));
+  checks::above(0.0, Classical::name, "I_0", I_0);
+  return {mu_s, mu_d, I_0};
+}
+
+}  // namespace talus::rheology

@@ -1,0 +1,28 @@
+#pragma once
+
+namespace talus::rheology {
+
+/// mu(I) = mu_s + (mu_d - mu_s)/(I_0/I + 1), (1.3): rises from mu_s at rest and saturates at mu_d.
+struct Classical {
+  static constexpr const char* name = "classical";
+  double mu_s, mu_d, I_0;
+
+  template <class S>
+  S friction(const S& I) const { return mu_s + (mu_d - mu_s) * (I / (I + I_0)); }
+
+  /// dmu/dI.
+  template <class S>
+  S slope(const S& I) const {
+    const S rest = I_0 / (I + I_0);
+    return ((mu_d - mu_s) / I_0) * rest * rest;
+  }
+
+  [[nodiscard]] double friction_at_rest() const { return mu_s; }
+  /// I with mu(I) = mu, for mu_s <= mu < mu_d; else throws std::domain_error.
+  [[nodiscard]] double inverse(double mu) const;
+};
+
+/// Checked: 0 < mu_s <= mu_d, I_0 > 0. Throws std::invalid_argument naming the parameter.
+[[nodiscard]] Classical classical(double mu_s, double mu_d, double I_0);
+
+}  // namespace talus::rheology

@@ -1,0 +1,16 @@
+#include "rheology/constant.hpp"
+
+#include "rheology/checks.hpp"
+
+namespace talus::rheology {
+
+double Constant::inverse(double mu) const {
+  checks::no_inverse(name, mu, "every I has mu_s = " + checks::text(mu_s));
+}
+
+Constant constant(double mu_s) {
+  checks::above(0.0, Constant::name, "mu_s", mu_s);
+  return {mu_s};
+}
+
+}  // namespace talus::rheology

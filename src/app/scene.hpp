@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "config/values.hpp"
+#include "layer/parameters.hpp"
+
+namespace talus::app {
+
+/// How the scene is to be integrated; the integrator's own settings are made from it.
+struct Integration {
+  double rtol;               ///< [1]
+  double atol_velocity;      ///< [m/s]
+  double atol_pressure;      ///< [Pa]
+  double atol_height;        ///< [m]
+  int max_order;             ///< 1..5
+  std::string linear_solver;
+  std::string newton;
+  double max_step = std::numeric_limits<double>::infinity();  ///< [s]
+};
+
+/// When results are recorded; every record is exactly at its time [s].
+struct Recording {
+  std::vector<double> field_times;   ///< ascending, from 0 to the end: fields and series
+  std::vector<double> series_times;  ///< ascending, from 0 to the end: budgets, angles, statistics
+  std::vector<double> listed_times;  ///< those of `output.times`, reported in summary.json
+};
+
+/// A scene as its file states it, in SI units and radians, checked.
+struct Scene {
+  std::string name;
+  std::string title;
+  std::string description;
+  layer::Box box;
+  rheology::Grains grains;
+  rheology::Law law;
+  rheology::Regularisation regularisation;
+  layer::Wall wall;
+  layer::Inflow inflow;
+  std::string model;
+  layer::Numerics numerics;
+  double initial_thickness;  ///< [m]
+  layer::Grid grid;
+  Integration integration;
+  double end;                ///< [s]
+  Recording recording;
+  std::string effective;     ///< the scene as TOML, overrides applied and defaults filled in
+};
+
+/// Every key of a scene file.
+const config::Schema& scene_schema();
+
+/// Reads and checks a scene. Throws core::ConfigError; see config::read. Checks that need several keys name the place of one.
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// As `read_scene`, from text; `name` stands for the file in messages.
+Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides = {});
+
+layer::Parameters make_layer_parameters(const Scene& scene);
+
+}  // namespace talus::app

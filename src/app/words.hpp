@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "layer/parameters.hpp"
+
+/// The words of a scene file that stand for a case of the code, each pair once.
+namespace talus::app::words {
+
+template <class T, std::size_t N>
+using Table = std::array<std::pair<std::string_view, T>, N>;
+
+inline constexpr Table<rheology::Cap, 3> caps{
+    {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
+inline constexpr Table<layer::Advection, 3> advections{
+    {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"linear", layer::Advection::linear}}};
+inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
+
+template <class T, std::size_t N>
+std::vector<std::string> of(const Table<T, N>& table) {
+  std::vector<std::string> out;
+  for (const auto& [word, value] : table) out.emplace_back(word);
+  return out;
+}
+
+/// Precondition: `word` is in the table, as the schema has checked.
+template <class T, std::size_t N>
+T meaning(const Table<T, N>& table, std::string_view word) {
+  for (const auto& [known, value] : table) {
+    if (known == word) return value;
+  }
+  throw std::logic_error("no meaning for the word " + std::string(word));
+}
+
+}  // namespace talus::app::words

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/scalar.hpp"
+#include "core/sparse_pattern.hpp"
+
+namespace talus::fv {
+
+using core::Index;
+
+/// What a kernel reads at one place: unknowns and their time derivatives, in the order that its `connect` gave.
+/// An absent input (index -1) reads as zero.
+template <class S, int N>
+struct Inputs {
+  std::array<S, N> y;
+  std::array<S, N> rate;
+};
+
+/// A term of the semi-discrete equations: one stencil kernel applied at many places. A kernel is any class with
+///
+///     static constexpr int n_in, n_out;    // unknowns read, rows added to
+///     static constexpr bool uses_rate;     // reads y'
+///     Index n_places() const;
+///     void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const;   // -1: absent
+///     template <class S>
+///     void evaluate(const Context&, Index place, const Inputs<S, n_in>&, std::array<S, n_out>& out) const;
+///
+/// evaluate computes a flux or source once and writes it, with its signs, to every row it belongs to. The same index may
+/// stand in several slots of `in` or `out`. `Context` is what the model prepares for a state (time, geometry).
+template <class Context>
+class Term {
+ public:
+  virtual ~Term() = default;
+  /// Appends the (row, column) pairs on which the term's Jacobian can be non-zero, traced from the kernel itself.
+  virtual void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const = 0;
+  /// Prepares the positions of the Jacobian entries in `pattern`; called once.
+  virtual void bind(const Context& context, const core::SparsePattern& pattern) = 0;
+  virtual void add_residual(const Context& context, std::span<const double> y, std::span<const double> yp,
+                            std::span<double> r) const = 0;
+  /// Adds dF/dy + c_j dF/dy' to `values`, in the order of the bound pattern.
+  virtual void add_jacobian(const Context& context, std::span<const double> y, std::span<const double> yp, double c_j,
+                            std::span<double> values) const = 0;
+};
+
+namespace detail {
+
+template <class Kernel, class Context>
+class KernelTerm final : public Term<Context> {
+  static constexpr int n_in = Kernel::n_in;
+  static constexpr int n_out = Kernel::n_out;
+  using Dual = core::Dual<n_in>;
+  using Trace = core::Trace<n_in>;
+
+ public:
+  explicit KernelTerm(Kernel kernel) : kernel_(std::move(kernel)), in_(kernel_.n_places()), out_(kernel_.n_places()) {
+    for (Index place = 0; place < kernel_.n_places(); ++place) kernel_.connect(place, in_[place], out_[place]);
+  }
+
+  void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const override {
+    for_each_entry(context, [&](Index row, Index column) { entries.emplace_back(row, column); });
+  }
+
+  void bind(const Context& context, const core::SparsePattern& pattern) override {
+    position_.clear();
+    entry_.clear();
+    entry_start_.assign(1, 0);
+    for (std::size_t place = 0; place < in_.size(); ++place) {
+      trace(context, place, [&](int o, int i) {
+        position_.push_back(static_cast<std::int32_t>(pattern.find(out_[place][o], in_[place][i])));
+        entry_.push_back({static_cast<std::uint8_t>(o), static_cast<std::uint8_t>(i)});
+      });
+      entry_start_.push_back(position_.size());
+    }
+  }
+
+  void add_residual(const Context& context, std::span<const double> y, std::span<const double> yp,
+                    std::span<double> r) const override {
+    Inputs<double, n_in> inputs{};
+    std::array<double, n_out> out{};
+    for (std::size_t place = 0; place < in_.size(); ++place) {
+      for (int i = 0; i < n_in; ++i) {
+        const Index index = in_[place][i];
+        inputs.y[i] = index < 0 ? 0.0 : y[index];
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = index < 0 ? 0.0 : yp[index];
+      }
+      out.fill(0.0);
+      kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
+      for (int o = 0; o < n_out; ++o)
+        if (out_[place][o] >= 0) r[out_[place][o]] += out[o];
+    }
+  }
+
+  void add_jacobian(const Context& context, std::span<const double> y, std::span<const double> yp, double c_j,
+                    std::span<double> values) const override {
+    Inputs<Dual, n_in> inputs;
+    std::array<Dual, n_out> out;
+    for (std::size_t place = 0; place < in_.size(); ++place) {
+      for (int i = 0; i < n_in; ++i) {
+        const Index index = in_[place][i];
+        inputs.y[i] = index < 0 ? Dual(0.0) : Dual::input(y[index], i);
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = index < 0 ? Dual(0.0) : Dual::input(yp[index], i, c_j);
+      }
+      out.fill(Dual(0.0));
+      kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
+      for (std::size_t e = entry_start_[place]; e < entry_start_[place + 1]; ++e)
+        values[position_[e]] += out[entry_[e].out].slope[entry_[e].in];
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint8_t out, in;
+  };
+
+  /// Calls visit(o, i) for each output slot o that depends on input slot i at this place.
+  template <class Visit>
+  void trace(const Context& context, std::size_t place, Visit&& visit) const {
+    Inputs<Trace, n_in> inputs;
+    std::array<Trace, n_out> out;
+    for (int i = 0; i < n_in; ++i) {
+      inputs.y[i] = in_[place][i] < 0 ? Trace(0.0) : Trace::input(i);
+      inputs.rate[i] = inputs.y[i];
+    }
+    out.fill(Trace(0.0));
+    kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
+    for (int o = 0; o < n_out; ++o)
+      for (int i = 0; i < n_in; ++i)
+        if (out_[place][o] >= 0 && out[o].inputs.test(i)) visit(o, i);
+  }
+
+  template <class Visit>
+  void for_each_entry(const Context& context, Visit&& visit) const {
+    for (std::size_t place = 0; place < in_.size(); ++place)
+      trace(context, place, [&](int o, int i) { visit(out_[place][o], in_[place][i]); });
+  }
+
+  Kernel kernel_;
+  std::vector<std::array<Index, n_in>> in_;
+  std::vector<std::array<Index, n_out>> out_;
+  std::vector<std::size_t> entry_start_;
+  std::vector<std::int32_t> position_;
+  std::vector<Entry> entry_;
+};
+
+}  // namespace detail
+
+template <class Context, class Kernel>
+std::unique_ptr<Term<Context>> make_term(Kernel kernel) {
+  return std::make_unique<detail::KernelTerm<Kernel, Context>>(std::move(kernel));
+}
+
+}  // namespace talus::fv

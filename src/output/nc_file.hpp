@@ -1,0 +1,39 @@
+#pragma once
+
+#include <netcdf.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/errors.hpp"
+
+/// Inside this room only: the rest of Talus does not see netCDF.
+namespace talus::output {
+
+/// Throws OutputError(code) with `what` and netCDF's own words unless `status` is NC_NOERR.
+void check(int status, core::ExitCode code, const std::string& what);
+
+/// Owns one netCDF-4 file open for writing.
+class NcFile {
+ public:
+  /// Creates the file. Throws OutputError(io_setup), also where it exists already and `replace` is false.
+  NcFile(const std::filesystem::path& path, bool replace);
+  NcFile(const NcFile&) = delete;
+  NcFile& operator=(const NcFile&) = delete;
+  /// Closes without a word; call close() to learn whether all is on disk.
+  ~NcFile() { close(); }
+
+  [[nodiscard]] int id() const { return id_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] bool is_open() const { return open_; }
+
+  /// Closes, at most once: HDF5 does not survive a second try after a failed one. Returns netCDF's status.
+  int close() noexcept;
+
+ private:
+  std::filesystem::path path_;
+  int id_ = -1;
+  bool open_ = false;
+};
+
+}  // namespace talus::output

@@ -1,0 +1,156 @@
+#include "output/record_stream.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include "output/nc_file.hpp"
+
+namespace talus::output {
+
+namespace {
+
+using core::ExitCode;
+
+/// A chunk of this many values where a record is a single number: one such chunk is 4 kB.
+constexpr std::size_t scalar_records_per_chunk = 512;
+
+void check_setup(int status, const std::string& what) { check(status, ExitCode::io_setup, what); }
+
+/// The integer that the whole text states, if it does.
+std::optional<int> as_integer(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+bool is_container(const core::Variable& v) {
+  return v.fixed && v.dimensions.empty() && (v.attributes.contains("cf_role") || v.attributes.contains("grid_mapping_name"));
+}
+
+}  // namespace
+
+void put_attribute(int file, int variable, const std::string& name, const Attribute& value) {
+  int status = NC_NOERR;
+  if (const auto* text = std::get_if<std::string>(&value))
+    status = nc_put_att_text(file, variable, name.c_str(), text->size(), text->c_str());
+  else if (const auto* real = std::get_if<double>(&value))
+    status = nc_put_att_double(file, variable, name.c_str(), NC_DOUBLE, 1, real);
+  else
+    status = nc_put_att_int(file, variable, name.c_str(), NC_INT, 1, std::get_if<int>(&value));
+  check_setup(status, "attribute '" + name + "'");
+}
+
+RecordStream::RecordStream(int file, const std::string& time_name, core::FieldSource& source)
+    : file_(file), time_name_(time_name), source_(source) {
+  define_time();
+  define_dimensions();
+  for (const core::Variable& variable : source_.variables()) define(variable);
+}
+
+void RecordStream::define_time() {
+  check_setup(nc_def_dim(file_, time_name_.c_str(), NC_UNLIMITED, &time_dimension_), "dimension '" + time_name_ + "'");
+  check_setup(nc_def_var(file_, time_name_.c_str(), NC_DOUBLE, 1, &time_dimension_, &time_variable_),
+              "variable '" + time_name_ + "'");
+  check_setup(nc_def_var_chunking(file_, time_variable_, NC_CHUNKED, &scalar_records_per_chunk), "chunks of time");
+  const Attributes attributes{
+      {"units", "s"}, {"axis", "T"}, {"standard_name", "time"}, {"long_name", "simulated time since the start of the scene"}};
+  for (const auto& [name, value] : attributes) put_attribute(file_, time_variable_, name, value);
+}
+
+void RecordStream::define_dimensions() {
+  for (const auto& [name, length] : source_.dimensions()) {
+    int id = -1;
+    if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR) {
+      check_setup(nc_def_dim(file_, name.c_str(), length, &id), "dimension '" + name + "'");
+      continue;
+    }
+    std::size_t known = 0;
+    check_setup(nc_inq_dimlen(file_, id, &known), "dimension '" + name + "'");
+    if (known != length)
+      throw core::Error(ExitCode::internal, "output dimension '" + name + "' has two lengths, " + std::to_string(known) + " and " +
+                                                std::to_string(length));
+  }
+}
+
+void RecordStream::define(const core::Variable& variable) {
+  Slot slot{variable, -1, is_container(variable), {}, {}, 1};
+  std::vector<int> dimensions;
+  if (!variable.fixed) {
+    dimensions.push_back(time_dimension_);
+    slot.count.push_back(1);
+  }
+  for (const std::string& name : variable.dimensions) {
+    int id = -1;
+    std::size_t length = 0;
+    if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR || nc_inq_dimlen(file_, id, &length) != NC_NOERR)
+      throw core::Error(ExitCode::internal, "output variable '" + variable.name + "' names the unknown dimension '" + name + "'");
+    dimensions.push_back(id);
+    slot.count.push_back(length);
+    slot.size *= length;
+  }
+  slot.start.assign(slot.count.size(), 0);
+
+  const std::string what = "variable '" + variable.name + "'";
+  const bool single = variable.storage == core::Storage::single_precision;
+  const nc_type type = slot.container ? NC_INT : single ? NC_FLOAT : NC_DOUBLE;
+  check_setup(nc_def_var(file_, variable.name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &slot.id),
+              what);
+  if (!variable.dimensions.empty()) {
+    check_setup(nc_def_var_chunking(file_, slot.id, NC_CHUNKED, slot.count.data()), what);
+    check_setup(nc_def_var_deflate(file_, slot.id, 1, 1, 1), what);
+  } else if (!variable.fixed) {
+    check_setup(nc_def_var_chunking(file_, slot.id, NC_CHUNKED, &scalar_records_per_chunk), what);
+  }
+  if (!slot.container) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const float none_single = std::numeric_limits<float>::quiet_NaN();
+    check_setup(nc_def_var_fill(file_, slot.id, NC_FILL, single ? static_cast<const void*>(&none_single) : &none), what);
+    put_attribute(file_, slot.id, "units", variable.unit);
+  }
+  put_attribute(file_, slot.id, "long_name", variable.long_name);
+  for (const auto& [name, text] : variable.attributes) {
+    const std::optional<int> integer = as_integer(text);
+    put_attribute(file_, slot.id, name, integer ? Attribute(*integer) : Attribute(text));
+  }
+  if (!variable.fixed) bytes_per_record_ += slot.size * (single ? sizeof(float) : sizeof(double));
+  slots_.push_back(std::move(slot));
+}
+
+void RecordStream::append(const core::Snapshot& snapshot) {
+  values_.resize(slots_.size());
+  source_.evaluate(snapshot, values_);
+  if (values_.size() != slots_.size())
+    throw core::Error(ExitCode::internal, "an output source declares " + std::to_string(slots_.size()) + " variables but gives " +
+                                              std::to_string(values_.size()));
+  // Time comes first: a record that breaks off then reads as a time with missing values, not as values at no time.
+  check(nc_put_var1_double(file_, time_variable_, &n_records_, &snapshot.t), ExitCode::output_failed, "writing '" + time_name_ + "'");
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    if (slot.container || (slot.variable.fixed && n_records_ > 0)) continue;
+    if (!slot.variable.fixed) slot.start[0] = n_records_;
+    write(slot, values_[i]);
+  }
+  ++n_records_;
+}
+
+void RecordStream::write(const Slot& slot, const std::vector<double>& values) {
+  if (values.size() != slot.size)
+    throw core::Error(ExitCode::internal, "output variable '" + slot.variable.name + "' has " + std::to_string(values.size()) +
+                                              " values instead of " + std::to_string(slot.size));
+  int status = NC_NOERR;
+  if (slot.variable.storage == core::Storage::single_precision) {
+    // Narrowed here, not by netCDF: it takes a value beyond float for an error, and an uncapped viscosity may be one.
+    single_.resize(values.size());
+    std::transform(values.begin(), values.end(), single_.begin(), [](double x) { return static_cast<float>(x); });
+    status = nc_put_vara_float(file_, slot.id, slot.start.data(), slot.count.data(), single_.data());
+  } else {
+    status = nc_put_vara_double(file_, slot.id, slot.start.data(), slot.count.data(), values.data());
+  }
+  check(status, ExitCode::output_failed, "writing '" + slot.variable.name + "'");
+}
+
+}  // namespace talus::output
