@@ -1,5 +1,8 @@
 #include "rheology/partially_regularised.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "rheology/checks.hpp"
 #include "rheology/well_posedness.hpp"
 

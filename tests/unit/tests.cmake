@@ -1,3 +1,6 @@
 talus_test(unit dual ROOMS core)
 talus_test(unit config_read ROOMS config)
 talus_test(unit config_spelling ROOMS config)
+talus_test(unit rheology_laws ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(unit rheology_viscosity ROOMS rheology)
+talus_test(unit rheology_well_posedness ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json)
