@@ -1,0 +1,99 @@
+#include "ida/damped_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::ida {
+namespace {
+
+DampedNewton::Status failure(Outcome outcome) {
+  return outcome == Outcome::broken ? DampedNewton::Status::broken : DampedNewton::Status::refused;
+}
+
+double remaining(double contraction) { return contraction < 1.0 ? contraction / (1.0 - contraction) : HUGE_VAL; }
+
+}  // namespace
+
+DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<double> x, double tolerance) {
+  for (auto* v : {&dx_, &g_, &trial_, &trial_dx_, &trial_g_}) v->resize(x.size());
+  iterations_ = refreshes_ = 0;
+  fresh_ = false;
+  if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
+  Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem, g_, dx_, norm_);
+  if (status != Status::converged) return status;
+
+  double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
+  while (true) {
+    if (remaining(expected) * norm_ <= tolerance) {
+      ++iterations_;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx_[i];
+      return Status::converged;
+    }
+    if (iterations_ >= options_.max_iterations) return Status::diverged;
+    const double before = norm_;
+    double lambda = 1.0;
+    status = advance(problem, x, lambda);
+    if (status != Status::converged) return status;
+    expected = lambda == 1.0 ? norm_ / before : unknown;
+    contraction_ = expected;
+    if (remaining(expected) * norm_ <= tolerance) continue;
+    if (expected > options_.refresh_above && refreshes_ < options_.max_refreshes) {
+      status = renew(problem, x);
+      if (status != Status::converged) return status;
+      // The correction shrinks with new factors as it would have with the old ones, or more: the old contraction still bounds it.
+    }
+  }
+}
+
+/// New factors at x, where the residual is g_, and the correction they give.
+DampedNewton::Status DampedNewton::renew(NewtonProblem& problem, std::span<const double> x) {
+  ++refreshes_;
+  if (const auto outcome = problem.refresh(x); outcome != Outcome::ok) return failure(outcome);
+  fresh_ = true;
+  contraction_ = unknown;
+  return correct(problem, g_, dx_, norm_);
+}
+
+/// dx = -J^-1 g and its norm.
+DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx,
+                                           double& norm) {
+  std::transform(g.begin(), g.end(), dx.begin(), [](double v) { return -v; });
+  if (const auto outcome = problem.solve(dx); outcome != Outcome::ok) return failure(outcome);
+  norm = problem.norm(dx);
+  return std::isfinite(norm) ? Status::converged : Status::diverged;
+}
+
+/// One accepted move x += lambda dx; on return dx_ and norm_ are the next correction, g_ the residual at the new x.
+DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<double> x, double& lambda) {
+  auto last = Status::diverged;
+  for (int halvings = 0; halvings <= options_.max_halvings;) {
+    ++iterations_;
+    for (std::size_t i = 0; i < x.size(); ++i) trial_[i] = x[i] + lambda * dx_[i];
+    const auto outcome = problem.residual(trial_, trial_g_);
+    if (outcome == Outcome::broken) return Status::broken;
+    if (outcome == Outcome::ok) {
+      double norm = 0.0;
+      const auto status = correct(problem, trial_g_, trial_dx_, norm);
+      if (status == Status::broken) return status;
+      if (status == Status::converged && norm <= (1.0 - 0.25 * lambda) * norm_) {
+        std::copy(trial_.begin(), trial_.end(), x.begin());
+        std::swap(g_, trial_g_);
+        std::swap(dx_, trial_dx_);
+        norm_ = norm;
+        fresh_ = false;
+        return Status::converged;
+      }
+    }
+    last = outcome == Outcome::refused ? Status::refused : Status::diverged;
+    if (!fresh_ && refreshes_ < options_.max_refreshes) {
+      const auto status = renew(problem, x);
+      if (status != Status::converged) return status;
+    } else {
+      lambda *= 0.5;
+      ++halvings;
+    }
+  }
+  return last;
+}
+
+}  // namespace talus::ida

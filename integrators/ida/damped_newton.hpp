@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ida/equations.hpp"
+#include "ida/options.hpp"
+
+namespace talus::ida {
+
+/// One system G(x) = 0 as Newton's method sees it.
+class NewtonProblem {
+ public:
+  virtual ~NewtonProblem() = default;
+  virtual Outcome residual(std::span<const double> x, std::span<double> g) = 0;
+  /// New factors of the Jacobian at x.
+  virtual Outcome refresh(std::span<const double> x) = 0;
+  /// b <- (approximate Jacobian)^-1 b with the factors at hand.
+  virtual Outcome solve(std::span<double> b) = 0;
+  [[nodiscard]] virtual double norm(std::span<const double> v) const = 0;
+  /// Contraction to expect from what changed, apart from x, since the factors were made; 1 or more: useless or none at hand.
+  [[nodiscard]] virtual double drift() const = 0;
+};
+
+/// Newton's method with a Jacobian that is kept while it contracts, and a natural monotonicity test.
+///
+/// From x with correction dx = -J^-1 G(x), the trial x + lambda dx is accepted if the next correction, with the same J, is smaller.
+/// If it is not: first a stale J is renewed, then lambda is halved. A contraction above `refresh_above` renews J at the new x. The
+/// iteration ends when contraction/(1 - contraction) times the last correction is below the tolerance.
+/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3.)
+class DampedNewton {
+ public:
+  enum class Status { converged, diverged, refused, broken };
+
+  explicit DampedNewton(const NewtonOptions& options) : options_(options) {}
+
+  /// Improves x (shape n) until the weighted error is below `tolerance`.
+  Status solve(NewtonProblem& problem, std::span<double> x, double tolerance);
+  /// Of the last solve().
+  [[nodiscard]] int iterations() const { return iterations_; }
+  /// The last correction of the last solve(), shape n.
+  [[nodiscard]] std::span<const double> correction() const { return dx_; }
+  [[nodiscard]] double correction_norm() const { return norm_; }
+  /// Forgets what was learned of the contraction, for example after the factors were used elsewhere.
+  void forget() { contraction_ = unknown; }
+
+ private:
+  static constexpr double unknown = 20.0 / 21.0;  ///< assumed before a contraction is measured: error 20 times the correction
+  static constexpr double least = 0.1;            ///< a contraction measured in an earlier solve is not trusted below this
+
+  Status renew(NewtonProblem& problem, std::span<const double> x);
+  Status correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx, double& norm);
+  Status advance(NewtonProblem& problem, std::span<double> x, double& lambda);
+
+  NewtonOptions options_;
+  double contraction_ = unknown;  ///< of the factors at hand
+  double norm_ = 0.0;             ///< of dx_
+  int iterations_ = 0, refreshes_ = 0;
+  bool fresh_ = false;            ///< the factors were made at the present x
+  std::vector<double> dx_, g_;    // correction and residual at the present x
+  std::vector<double> trial_, trial_dx_, trial_g_;
+};
+
+}  // namespace talus::ida

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/dae_system.hpp"
+#include "core/statistics.hpp"
+#include "linear/direct_solver.hpp"
+
+namespace talus::ida {
+
+/// `refused`: not here, try a smaller step. `broken`: an exception that must end the integration.
+enum class Outcome { ok, refused, broken };
+
+/// A DaeSystem behind a border that no exception crosses: evaluates, checks that everything is finite, factors, counts and times.
+class Equations {
+ public:
+  /// All must outlive this.
+  Equations(const core::DaeSystem& system, const linear::Settings& settings, core::Statistics& statistics);
+
+  /// r = F(t, y, y').
+  Outcome residual(double t, std::span<const double> y, std::span<const double> yp, std::span<double> r) noexcept;
+  /// Factors dF/dy + c_j dF/dy'.
+  Outcome refresh(double t, std::span<const double> y, std::span<const double> yp, double c_j) noexcept;
+  /// b <- J^-1 b with the factors at hand.
+  Outcome solve(std::span<double> b) noexcept;
+
+  /// c_j of the factors at hand; 0 where there are none.
+  [[nodiscard]] double c_j() const { return c_j_; }
+  void forget_factors() { c_j_ = 0.0; }
+  /// Why the last refusal was made, with its time; empty if there was none.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  void forget_refusal() { refusal_.clear(); }
+  /// Throws the exception behind the last `broken`, if any.
+  void rethrow();
+
+  [[nodiscard]] const core::DaeSystem& system() const { return system_; }
+  [[nodiscard]] core::Index size() const { return system_.layout().size(); }
+  [[nodiscard]] const linear::DirectSolver& solver() const { return *solver_; }
+
+ private:
+  Outcome refuse(double t, const std::string& why);
+
+  const core::DaeSystem& system_;
+  core::Statistics& statistics_;
+  std::unique_ptr<linear::DirectSolver> solver_;
+  std::vector<double> values_;
+  double c_j_ = 0.0;
+  std::string refusal_;
+  std::exception_ptr broken_;
+};
+
+}  // namespace talus::ida

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "linear/direct_solver.hpp"
+
+namespace talus::ida {
+
+/// `damped` is ours (DampedNewton); `stock` is SUNDIALS' own, with a frozen Jacobian and no damping, for comparison.
+enum class Newton { damped, stock };
+
+struct NewtonOptions {
+  Newton kind = Newton::damped;
+  double tolerance = 0.33;      ///< estimated remaining error, in the weighted norm, at which the iteration stops
+  double refresh_above = 0.25;  ///< contraction above which the Jacobian is renewed
+  int max_refreshes = 10;       ///< of the Jacobian in one solve
+  int max_halvings = 4;         ///< of the step length in one iteration
+  int max_iterations = 40;      ///< in one solve
+};
+
+/// How IDA is run. Weighted norm: root mean square of v_i / (rtol |y_i| + absolute tolerance of the field).
+struct Options {
+  double rtol = 1e-4;              ///< relative tolerance of the error test
+  int max_order = 5;               ///< of the backward differentiation formula, 1 to 5
+  double initial_step = 0.0;       ///< [s]; 0: IDA's choice
+  double max_step = 0.0;           ///< [s]; 0: none
+  double min_step = 1e-12;         ///< [s]; a step that must be cut below ends the run
+  bool suppress_algebraic = true;  ///< leave algebraic unknowns out of the error test (index 2 needs it)
+  double start_step = 1e-7;        ///< [s] of the two implicit Euler steps that make a start consistent
+  int max_failures_in_a_row = 10;  ///< of Newton's method, and of the error test, in one step
+  long max_steps_between_outputs = 50000;
+  long max_failures_between_outputs = 1000;  ///< Newton and error test together: guards against a crawl
+  NewtonOptions newton;
+  linear::Settings linear;
+};
+
+}  // namespace talus::ida

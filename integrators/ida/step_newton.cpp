@@ -1,0 +1,113 @@
+#include "ida/step_newton.hpp"
+
+#include <ida/ida.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace talus::ida {
+namespace {
+
+StepNewton& self_of(SUNNonlinearSolver handle) { return *static_cast<StepNewton*>(handle->content); }
+
+}  // namespace
+
+SUNNonlinearSolver StepNewton::make_handle(StepNewton& self, SUNContext context) {
+  SUNNonlinearSolver handle = SUNNonlinSolNewEmpty(context);
+  if (handle == nullptr) throw std::bad_alloc();
+  handle->content = &self;
+  auto& ops = *handle->ops;
+  ops.gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
+  ops.setsysfn = [](SUNNonlinearSolver h, SUNNonlinSolSysFn function) {
+    self_of(h).system_function_ = function;
+    return SUN_NLS_SUCCESS;
+  };
+  // The weighted norm and the convergence test are our own, and IDA has no linear solver to offer.
+  ops.solve = [](SUNNonlinearSolver h, N_Vector, N_Vector correction, N_Vector weights, realtype tolerance, booleantype,
+                 void* memory) {
+    self_of(h).step_memory_ = memory;
+    return self_of(h).solve_step(correction, weights, tolerance);
+  };
+  ops.getnumiters = [](SUNNonlinearSolver h, long* n) {
+    *n = self_of(h).newton_.iterations();
+    return SUN_NLS_SUCCESS;
+  };
+  ops.getcuriter = [](SUNNonlinearSolver h, int* n) {
+    *n = self_of(h).newton_.iterations();
+    return SUN_NLS_SUCCESS;
+  };
+  ops.getnumconvfails = [](SUNNonlinearSolver h, long* n) {
+    *n = self_of(h).failures_;
+    return SUN_NLS_SUCCESS;
+  };
+  return handle;
+}
+
+StepNewton::StepNewton(Equations& equations, const NewtonOptions& options, void* ida_memory, SUNContext context)
+    : equations_(equations),
+      newton_(options),
+      ida_memory_(ida_memory),
+      handle_(make_handle(*this, context)),
+      x_(equations.size(), context),
+      g_(equations.size(), context),
+      y_(equations.size()),
+      yp_(equations.size()) {}
+
+StepNewton::~StepNewton() { SUNNonlinSolFreeEmpty(handle_); }
+
+int StepNewton::solve_step(N_Vector correction, N_Vector weights, double tolerance) {
+  weights_ = weights;
+  N_Vector y = nullptr, yp = nullptr, residual = nullptr;
+  void* user = nullptr;
+  IDAGetNonlinearSystemData(ida_memory_, &t_, &predicted_y_, &predicted_yp_, &y, &yp, &residual, &c_j_, &user);
+  const auto status = newton_.solve(*this, view(correction), tolerance);
+  failures_ = status == DampedNewton::Status::converged ? 0 : 1;
+  switch (status) {
+    case DampedNewton::Status::converged: return SUN_NLS_SUCCESS;
+    case DampedNewton::Status::diverged: return SUN_NLS_CONV_RECVR;
+    case DampedNewton::Status::refused: return refused_by_residual;
+    case DampedNewton::Status::broken: break;
+  }
+  return IDA_RES_FAIL;
+}
+
+Outcome StepNewton::residual(std::span<const double> x, std::span<double> g) {
+  std::copy(x.begin(), x.end(), x_.span().begin());
+  const int flag = system_function_(x_.handle(), g_.handle(), step_memory_);
+  if (flag != 0) return flag > 0 ? Outcome::refused : Outcome::broken;
+  std::copy(g_.span().begin(), g_.span().end(), g.begin());
+  return Outcome::ok;
+}
+
+Outcome StepNewton::refresh(std::span<const double> x) {
+  const auto y = view(predicted_y_), yp = view(predicted_yp_);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    y_[i] = y[i] + x[i];
+    yp_[i] = yp[i] + c_j_ * x[i];
+  }
+  return equations_.refresh(t_, y_, yp_, c_j_);
+}
+
+Outcome StepNewton::solve(std::span<double> b) {
+  const auto outcome = equations_.solve(b);
+  // Factors of another c_j: this scale balances the errors of slow and of stiff components.
+  if (const double ratio = c_j_ / equations_.c_j(); ratio != 1.0) {
+    for (double& v : b) v *= 2.0 / (1.0 + ratio);
+  }
+  return outcome;
+}
+
+double StepNewton::norm(std::span<const double> v) const {
+  const auto w = view(weights_);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * w[i] * v[i] * w[i];
+  return std::sqrt(sum / static_cast<double>(v.size()));
+}
+
+double StepNewton::drift() const {
+  if (equations_.c_j() == 0.0) return HUGE_VAL;
+  return std::abs(c_j_ - equations_.c_j()) / (c_j_ + equations_.c_j());
+}
+
+}  // namespace talus::ida

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include <vector>
+
+#include "ida/damped_newton.hpp"
+#include "ida/vectors.hpp"
+
+namespace talus::ida {
+
+/// DampedNewton as the SUNNonlinearSolver of IDA's steps. It owns the way to the Jacobian and its factors (through Equations), so
+/// IDA gets no linear solver and decides nothing about either.
+class StepNewton final : private NewtonProblem {
+ public:
+  /// `ida_memory` is IDA's, `equations` must outlive this.
+  StepNewton(Equations& equations, const NewtonOptions& options, void* ida_memory, SUNContext context);
+  StepNewton(const StepNewton&) = delete;
+  StepNewton& operator=(const StepNewton&) = delete;
+  ~StepNewton() override;
+
+  [[nodiscard]] SUNNonlinearSolver handle() const { return handle_; }
+  [[nodiscard]] const DampedNewton& newton() const { return newton_; }
+  void forget() { newton_.forget(); }
+
+ private:
+  static constexpr int refused_by_residual = 1;  ///< IDA's private flag for a residual that asks for a smaller step
+
+  Outcome residual(std::span<const double> x, std::span<double> g) override;
+  Outcome refresh(std::span<const double> x) override;
+  Outcome solve(std::span<double> b) override;
+  [[nodiscard]] double norm(std::span<const double> v) const override;
+  [[nodiscard]] double drift() const override;
+
+  int solve_step(N_Vector correction, N_Vector weights, double tolerance);
+  static SUNNonlinearSolver make_handle(StepNewton& self, SUNContext context);
+
+  Equations& equations_;
+  DampedNewton newton_;
+  void* ida_memory_;
+  SUNNonlinearSolver handle_;
+  SUNNonlinSolSysFn system_function_ = nullptr;
+  void* step_memory_ = nullptr;  // what IDA wants back in system_function_
+  Vector x_, g_;                 // wrappings for system_function_
+  N_Vector weights_ = nullptr;
+  double t_ = 0.0, c_j_ = 0.0;
+  N_Vector predicted_y_ = nullptr, predicted_yp_ = nullptr;
+  std::vector<double> y_, yp_;
+  long failures_ = 0;
+};
+
+}  // namespace talus::ida

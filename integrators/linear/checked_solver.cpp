@@ -1,0 +1,96 @@
+#include "linear/checked_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::linear {
+
+CheckedSolver::CheckedSolver(const SparsePattern& pattern)
+    : pattern_(pattern),
+      values_(pattern.n_nonzeros()),
+      row_scale_(pattern.n()),
+      b_(pattern.n()),
+      r_(pattern.n()),
+      size_(pattern.n()) {}
+
+void CheckedSolver::factor(std::span<const double> values) {
+  if (values.size() != values_.size()) throw std::invalid_argument("CheckedSolver::factor: one value an entry of the pattern");
+  std::copy(values.begin(), values.end(), values_.begin());
+  scale_rows();
+  ++statistics_.factorisations;
+  if (refactor()) {
+    ++statistics_.refactorisations;
+    if (prove() < accept_below) return;
+    ++statistics_.rejected;
+  }
+  factor_anew();
+  if (!std::isfinite(prove())) throw SingularMatrix("the factors give a solution that is not finite", -1);
+}
+
+void CheckedSolver::solve(std::span<double> b) {
+  ++statistics_.solves;
+  std::copy(b.begin(), b.end(), b_.begin());
+  substitute(b);
+  double size = residual(b_, b);
+  for (int step = 0; step < 2 && size > refine_above; ++step) {
+    ++statistics_.refinements;
+    std::vector<double> correction(r_);
+    substitute(correction);
+    for (std::size_t i = 0; i < b.size(); ++i) correction[i] += b[i];
+    const double refined = residual(b_, correction);
+    if (!(refined < size)) break;
+    size = refined;
+    std::copy(correction.begin(), correction.end(), b.begin());
+  }
+  statistics_.worst_residual = std::max(statistics_.worst_residual, size);
+}
+
+void CheckedSolver::scale_rows() {
+  std::fill(row_scale_.begin(), row_scale_.end(), 0.0);
+  const auto rows = pattern_.rows();
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    if (!std::isfinite(values_[k])) throw SingularMatrix("an entry of the matrix is not finite", -1);
+    row_scale_[rows[k]] = std::max(row_scale_[rows[k]], std::abs(values_[k]));
+  }
+  for (std::size_t i = 0; i < row_scale_.size(); ++i) {
+    if (row_scale_[i] == 0.0) throw SingularMatrix("row " + std::to_string(i) + " of the matrix is zero", static_cast<Index>(i));
+    row_scale_[i] = 1.0 / row_scale_[i];
+  }
+}
+
+double CheckedSolver::prove() {
+  // A fixed pseudo-random right side, as large in each row as the matrix: it leaves no part of the factors untested.
+  std::uint64_t state = 1;
+  for (std::size_t i = 0; i < b_.size(); ++i) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    b_[i] = (static_cast<double>(state >> 11) * 0x1p-52 - 1.0) / row_scale_[i];
+  }
+  std::vector<double> x(b_);
+  substitute(x);
+  return statistics_.test_residual = residual(b_, x);
+}
+
+double CheckedSolver::residual(std::span<const double> b, std::span<const double> x) {
+  const auto starts = pattern_.column_starts();
+  const auto rows = pattern_.rows();
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    r_[i] = b[i];
+    size_[i] = std::abs(b[i]);
+  }
+  for (Index j = 0; j < pattern_.n(); ++j) {
+    for (Index k = starts[j]; k < starts[j + 1]; ++k) {
+      const double term = values_[k] * x[j];
+      r_[rows[k]] -= term;
+      size_[rows[k]] += std::abs(term);
+    }
+  }
+  double error = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    if (!std::isfinite(r_[i])) return HUGE_VAL;
+    error = std::max(error, std::abs(r_[i]) * row_scale_[i]);
+    scale = std::max(scale, size_[i] * row_scale_[i]);
+  }
+  return scale > 0.0 ? error / scale : 0.0;
+}
+
+}  // namespace talus::linear

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/sparse_pattern.hpp"
+
+/// Sparse direct solvers for the square, unsymmetric, often indefinite matrices of the integrators. SuiteSparse and LAPACK are
+/// seen in this room only.
+namespace talus::linear {
+
+using core::Index;
+using core::SparsePattern;
+
+/// No usable factors: structurally or numerically singular, or not finite.
+class SingularMatrix : public std::runtime_error {
+ public:
+  SingularMatrix(const std::string& message, Index place) : std::runtime_error(message), place_(place) {}
+  /// The row or column where it showed, or -1 where the library does not say.
+  [[nodiscard]] Index place() const { return place_; }
+
+ private:
+  Index place_;
+};
+
+/// What a solver did since it was made.
+struct Statistics {
+  std::int64_t factorisations = 0;    ///< of all kinds
+  std::int64_t refactorisations = 0;  ///< of these, with the pivots of an earlier one
+  std::int64_t rejected = 0;          ///< refactorisations that failed the test solve and were done anew
+  std::int64_t solves = 0;            ///< asked for; test solves and refinements do not count
+  std::int64_t refinements = 0;
+  Index fill = 0;                     ///< entries of L + U of the last factorisation
+  double flops = 0.0;                 ///< of the last full factorisation, as the library counts or bounds them
+  double test_residual = 0.0;         ///< relative residual of the last test solve, without refinement
+  double worst_residual = 0.0;        ///< largest relative residual of all solves, after refinement
+};
+
+/// Factors A, of a frozen pattern, and solves A x = b.
+class DirectSolver {
+ public:
+  DirectSolver() = default;
+  DirectSolver(const DirectSolver&) = delete;
+  DirectSolver& operator=(const DirectSolver&) = delete;
+  virtual ~DirectSolver() = default;
+
+  /// Factors the matrix `values` (shape n_nonzeros, in the order of the pattern; copied). Throws SingularMatrix.
+  virtual void factor(std::span<const double> values) = 0;
+  /// b <- A^-1 b, shape n. Precondition: the last factor() returned.
+  virtual void solve(std::span<double> b) = 0;
+  [[nodiscard]] virtual const Statistics& statistics() const = 0;
+  /// One line: library with version, ordering, fill, residual.
+  [[nodiscard]] virtual std::string describe() const = 0;
+};
+
+enum class Choice : std::uint8_t { automatic, klu, umfpack, banded };
+
+struct Settings {
+  Choice choice = Choice::automatic;
+  double pivot_tolerance = 0.1;      ///< KLU: accept a diagonal pivot of this size relative to the largest entry of its column
+  std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
+};
+
+/// A solver for matrices of `pattern`, which must outlive it. `automatic` tries all on the first matrix and keeps the one with the
+/// least predicted time. Throws std::invalid_argument where the ordering is no permutation of the unknowns.
+[[nodiscard]] std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Settings& settings = {});
+
+}  // namespace talus::linear

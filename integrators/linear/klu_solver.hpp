@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "linear/checked_solver.hpp"
+
+namespace talus::linear {
+
+/// KLU: left-looking sparse LU without dense blocks, best for thin grids and up to about 10^4 unknowns.
+///
+/// The first matrix decides the ordering among COLAMD and AMD, each with and without block triangular form, and a given ordering:
+/// the one with the fewest operations whose test solve passes. A candidate that outgrows the best factors so far is stopped
+/// (AMD on a saddle point may need a hundred times the time of COLAMD). Later matrices reuse the pivots while the test solve allows.
+class KluSolver final : public CheckedSolver {
+ public:
+  struct Settings {
+    double pivot_tolerance = 0.1;      ///< a diagonal entry of this size relative to the largest of its column is taken as pivot
+    std::vector<Index> ordering = {};  ///< optional: unknown number k of the elimination, shape n
+    Index max_fill = 0;                ///< give up (SingularMatrix) above this many entries of L + U on the first matrix; 0: none
+  };
+
+  explicit KluSolver(const SparsePattern& pattern) : KluSolver(pattern, Settings{}) {}
+  KluSolver(const SparsePattern& pattern, Settings settings);
+  ~KluSolver() override;
+  [[nodiscard]] std::string describe() const override;
+
+ protected:
+  void factor_anew() override;
+  bool refactor() override;
+  void substitute(std::span<double> b) override;
+
+ private:
+  struct Factors;
+  std::unique_ptr<Factors> attempt(const std::string& name, Index max_fill);
+  void choose();
+
+  Settings settings_;
+  std::vector<Index> starts_, rows_;  // KLU wants them mutable
+  std::unique_ptr<Factors> factors_;
+  std::string trials_;
+};
+
+}  // namespace talus::linear

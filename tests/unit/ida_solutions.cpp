@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ida/ida.hpp"
+#include "unit/ida_problems.hpp"
+
+namespace talus::test {
+namespace {
+
+struct Silent final : core::Observer {};
+
+template <class Model>
+struct Journey {
+  explicit Journey(const ida::Options& options, Model model = {}, std::vector<double> breakpoints = {})
+      : system(std::move(model), std::move(breakpoints)), integrator(system, options) {
+    std::vector<double> y(Model::n), yp(Model::n);
+    system.initial_state(0.0, y, yp);
+    integrator.start(0.0, y, yp);
+  }
+  core::Snapshot to(double t) {
+    EXPECT_TRUE(integrator.advance(t, observer));
+    return integrator.current();
+  }
+  SmallDae<Model> system;
+  ida::Ida integrator;
+  Silent observer;
+};
+
+ida::Options options_with(double rtol, ida::Newton newton = ida::Newton::damped) {
+  ida::Options options;
+  options.rtol = rtol;
+  options.newton.kind = newton;
+  return options;
+}
+
+struct PendulumError {
+  double position, multiplier;
+};
+
+PendulumError pendulum_error(const ida::Options& options) {
+  Journey<Pendulum> run(options);
+  const auto y = run.to(2.0).y;
+  const auto [theta, omega] = pendulum_angle(2.0);
+  return {std::hypot(y[0] - std::sin(theta), y[1] + std::cos(theta)),
+          std::abs(y[4] - (omega * omega + Pendulum::g * std::cos(theta)))};
+}
+
+TEST(IdaPendulum, ErrorFallsWithTheTolerance) {
+  for (const auto newton : {ida::Newton::damped, ida::Newton::stock}) {
+    const auto coarse = pendulum_error(options_with(1e-4, newton));
+    const auto fine = pendulum_error(options_with(1e-7, newton));
+    EXPECT_LT(coarse.position, 3e-2);
+    EXPECT_LT(fine.position, 1e-4);
+    EXPECT_LT(fine.position, 0.02 * coarse.position);
+    EXPECT_LT(fine.multiplier, 2e-3);
+    EXPECT_LT(fine.multiplier, 0.05 * coarse.multiplier);
+  }
+}
+
+TEST(IdaStart, PendulumWithAnInconsistentVelocityIsProjected) {
+  Pendulum model;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  model.y_0 = {c, s, 0.5 * c - 0.2 * s, 0.5 * s + 0.2 * c, 17.0};  // 0.5 along the rod, 0.2 across
+  Journey<Pendulum> run(options_with(1e-6), model);
+  const auto now = run.integrator.current();
+  EXPECT_DOUBLE_EQ(now.t, 0.0);
+  EXPECT_NEAR(now.y[0], c, 1e-6);
+  EXPECT_NEAR(now.y[1], s, 1e-6);
+  EXPECT_NEAR(now.y[2], -0.2 * s, 1e-5);
+  EXPECT_NEAR(now.y[3], 0.2 * c, 1e-5);
+  const double lambda = 0.04 - Pendulum::g * s;
+  EXPECT_NEAR(now.y[4], lambda, 1e-4);
+  EXPECT_NEAR(now.yp[2], -lambda * c, 1e-4);
+  EXPECT_NEAR(now.yp[3], -lambda * s - Pendulum::g, 1e-4);
+}
+
+TEST(IdaStart, ConstraintsThatMoveGiveTheirRateToTheDerivative) {
+  Tied model;
+  model.q = [](double t) { return 1.0 + 3.0 * t; };  // u1 + u2 = 1 at the start, growing by 3 a second
+  Journey<Tied> run(options_with(1e-6), model);
+  const auto now = run.integrator.current();
+  EXPECT_NEAR(now.y[2], 0.5 * (3.0 + 2.0), 1e-5);
+  EXPECT_NEAR(now.yp[0] + now.yp[1], 3.0, 1e-5);
+  EXPECT_NEAR(now.yp[0] - now.yp[1], -2.0 * 0.4, 1e-5);
+}
+
+TEST(IdaSolution, LinearSaddlePointFollowsItsExactSolution) {
+  Journey<Tied> run(options_with(1e-7));
+  for (const double t : {0.1, 1.0, 3.0}) {
+    const auto now = run.to(t);
+    EXPECT_NEAR(now.y[0] + now.y[1], std::sin(t), 1e-6);
+    EXPECT_NEAR(now.y[0] - now.y[1], 0.4 * std::exp(-2.0 * t), 1e-5);
+    EXPECT_NEAR(now.y[2], 0.5 * (std::cos(t) + 2.0 * std::sin(t)), 1e-4);
+  }
+}
+
+TEST(IdaSolution, RobertsonMeetsThePublishedValues) {
+  Journey<Robertson> run(options_with(1e-7));
+  const auto early = run.to(0.4);
+  EXPECT_NEAR(early.y[0], 9.8517e-1, 1e-5);
+  EXPECT_NEAR(early.y[1], 3.3864e-5, 1e-9);
+  const auto late = run.to(4e7);
+  EXPECT_NEAR(late.y[0], 5.203e-5, 3e-8);
+  EXPECT_NEAR(late.y[0] + late.y[1] + late.y[2], 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace talus::test
