@@ -39,6 +39,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at)
   add(FaceFlux{at});
   add(InterfaceFlux{at});
   add(SurfaceRate{at});
+  if (par.inflow.rate > 0.0) add(JetSource{at});
   add(Acceleration{at});
   if (par.numerics.advection != Advection::none) {
     add(ConvectionAlong{at});

@@ -49,7 +49,7 @@ struct InterfaceFlux : Kernel {
   }
 };
 
-/// The rate of the surface and the mass that the jet brings: dH/dt - q(x, H, t).
+/// The rate of the surface, dH/dt.
 struct SurfaceRate : Kernel {
   static constexpr int n_in = 1, n_out = 1;
   static constexpr bool uses_rate = true;
@@ -60,8 +60,23 @@ struct SurfaceRate : Kernel {
     out = {unknowns.surface(static_cast<int>(place))};
   }
   template <class S>
+  void evaluate(const Context&, Index, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
+    out[0] += in.rate[0];
+  }
+};
+
+/// The mass that the jet brings to the surface of a column.
+struct JetSource : Kernel {
+  static constexpr int n_in = 1, n_out = 1;
+
+  [[nodiscard]] Index n_places() const { return columns.n_columns; }
+  void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
+    in = {unknowns.H(static_cast<int>(place))};
+    out = {unknowns.surface(static_cast<int>(place))};
+  }
+  template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
-    out[0] += in.rate[0] - jet_rate(*c.parameters, columns, static_cast<int>(place), in.y[0], c.t);
+    out[0] -= jet_rate(*c.parameters, columns, static_cast<int>(place), in.y[0], c.t);
   }
 };
 
