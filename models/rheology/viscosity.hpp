@@ -27,10 +27,6 @@ struct Regularisation {
 /// Throws std::invalid_argument naming the parameter: all finite and >= 0, eta_max > 0 and finite where it caps.
 void check(const Regularisation& reg);
 
-/// The floor [1/s] under D_norm in a layer of thickness H [m].
-template <class S>
-S rate_floor(const Regularisation& reg, const S& H) { return reg.rate_floor + reg.rate_speed / H; }
-
 /// p_+ [Pa].
 template <class S>
 S positive_pressure(const S& p, double p_0) {

@@ -123,7 +123,6 @@ TEST(Viscosity, InertialNumberIsTheOneInsideTheFriction) {
   EXPECT_DOUBLE_EQ(I, 2.0 * grains.d * 5.0 / std::sqrt(rheology::positive_pressure(p, 2.0) / grains.rho_star));
   EXPECT_DOUBLE_EQ(rheology::viscosity(every_law[1], grains, reg, D2, floor, p),
                    rheology::friction(every_law[1], I) * rheology::positive_pressure(p, 2.0) / 10.0);
-  EXPECT_DOUBLE_EQ(rheology::rate_floor(Regularisation{0.0, 0.5, 0.2}, 0.1), 2.5);
 }
 
 TEST(Viscosity, TracesDependOnAllThreeInputs) {

@@ -5,3 +5,4 @@ talus_test(unit rheology_laws ROOMS rheology LIBRARIES nlohmann_json::nlohmann_j
 talus_test(unit rheology_viscosity ROOMS rheology)
 talus_test(unit rheology_well_posedness ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(unit ida_solutions ROOMS core linear ida)
+talus_test(unit steady_answers ROOMS steady)
