@@ -17,7 +17,7 @@ struct RunFileOptions {
 
 /// The netCDF-4 file of a run (CF-1.8), conventionally `run.nc`. It holds one or more streams of records, each a FieldSource
 /// along an unlimited time dimension of its own. Every record is on disk when append() returns, so that a killed run leaves
-/// a readable file, and other processes may read along.
+/// a readable file, and other processes may read along (HDF5's file lock is off unless HDF5_USE_FILE_LOCKING says otherwise).
 class RunFile {
  public:
   /// Creates the file with its first stream, `fields` along "time", and global `attributes`. The source must outlive this
