@@ -1,12 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "config/values.hpp"
+#include "ida/options.hpp"
 #include "layer/parameters.hpp"
+#include "linear/direct_solver.hpp"
 
 namespace talus::app {
 
@@ -17,13 +18,14 @@ struct Integration {
   double atol_pressure;      ///< [Pa]
   double atol_height;        ///< [m]
   int max_order;             ///< 1..5
-  std::string linear_solver;
-  std::string newton;
-  double max_step = std::numeric_limits<double>::infinity();  ///< [s]
+  linear::Choice linear_solver;
+  ida::Newton newton;
+  double max_step;           ///< [s]; 0: no limit
 };
 
 /// When results are recorded; every record is exactly at its time [s].
 struct Recording {
+  bool fields;                       ///< two-dimensional variables are recorded
   std::vector<double> field_times;   ///< ascending, from 0 to the end: fields and series
   std::vector<double> series_times;  ///< ascending, from 0 to the end: budgets, angles, statistics
   std::vector<double> listed_times;  ///< those of `output.times`, reported in summary.json
@@ -59,5 +61,6 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides = {});
 
 layer::Parameters make_layer_parameters(const Scene& scene);
+ida::Options make_integrator_options(const Scene& scene);
 
 }  // namespace talus::app

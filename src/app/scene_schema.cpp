@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/models.hpp"
 #include "app/scene.hpp"
 #include "app/words.hpp"
@@ -90,6 +92,10 @@ void numerics(Schema& s) {
   s.add(number("atol_pressure", "Pa", "absolute tolerance").above(0.0).fallback(0.1));
   s.add(number("atol_height", "m", "absolute tolerance").above(0.0).fallback(1e-6));
   s.add(integer("max_order", "of the backward differentiation formula").at_least(1).at_most(5).fallback(std::int64_t{5}));
+  s.add(choice("linear_solver", words::of(words::linear_solvers), "for the Jacobian; automatic takes the fastest on the first one")
+            .fallback(std::string("automatic")));
+  s.add(choice("newton", words::of(words::newtons), "damped: our full Newton iteration; stock: IDA's own, for comparison")
+            .fallback(std::string("damped")));
   s.add(number("max_step", "s", "longest step").above(0.0).optional("no limit"));
 
   s.section("time", "duration");
@@ -98,6 +104,7 @@ void numerics(Schema& s) {
   s.section("output", "what is recorded; the start and the end always are");
   s.add(ascending_numbers("times", "s", "of field records, also reported in summary.json").at_least(0.0).fallback(std::vector<double>{}));
   s.add(number("interval", "s", "further field records at its multiples").above(0.0).optional("none"));
+  s.add(boolean("fields", "record the two-dimensional fields; without them only surface and series").fallback(true));
   s.add(number("series_interval", "s", "budgets, angles and statistics at its multiples").above(0.0).fallback(1.0));
 }
 

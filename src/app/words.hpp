@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "ida/options.hpp"
 #include "layer/parameters.hpp"
+#include "linear/direct_solver.hpp"
 
 /// The words of a scene file that stand for a case of the code, each pair once.
 namespace talus::app::words {
@@ -18,6 +21,11 @@ inline constexpr Table<rheology::Cap, 3> caps{
     {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
 inline constexpr Table<layer::Advection, 3> advections{
     {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"linear", layer::Advection::linear}}};
+inline constexpr Table<linear::Choice, 4> linear_solvers{{{"automatic", linear::Choice::automatic},
+                                                          {"klu", linear::Choice::klu},
+                                                          {"umfpack", linear::Choice::umfpack},
+                                                          {"banded", linear::Choice::banded}}};
+inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
 inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
 
 template <class T, std::size_t N>

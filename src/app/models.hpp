@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/scene.hpp"
+#include "core/dae_system.hpp"
+#include "core/field_source.hpp"
+
+namespace talus::app {
+
+/// A scene made ready to integrate. `fields` reads `system` and must not outlive it.
+struct Simulation {
+  std::unique_ptr<core::DaeSystem> system;
+  std::unique_ptr<core::FieldSource> fields;
+};
+
+/// One rung of the ladder that a scene can ask for.
+struct Model {
+  std::string name;
+  std::string doc;  ///< one line
+  Simulation (*build)(const Scene& scene);
+};
+
+/// Every model that works, by rung.
+const std::vector<Model>& models();
+/// Precondition: the scene's schema has accepted `name`.
+const Model& model(std::string_view name);
+std::vector<std::string> model_names();
+
+}  // namespace talus::app

@@ -1,0 +1,32 @@
+#include "app/plot.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "app/build_info.hpp"
+#include "core/errors.hpp"
+
+namespace talus::app {
+
+int plot(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "run.nc")) throw core::ConfigError(folder.string() + ": holds no run (no run.nc)");
+  std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string();
+  std::array<char*, 4> arguments{python.data(), program.data(), where.data(), nullptr};
+  pid_t child = 0;
+  const int failed = posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
+  if (failed != 0) throw core::OutputError(core::ExitCode::io_setup, "python3 cannot be started: " + std::string(std::strerror(failed)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw core::OutputError(core::ExitCode::io_setup, "waiting for python3: " + std::string(std::strerror(errno)));
+  }
+  if (!WIFEXITED(status)) throw core::OutputError(core::ExitCode::io_setup, "python3 was ended by a signal");
+  return WEXITSTATUS(status);
+}
+
+}  // namespace talus::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/models.hpp"
+#include "app/run_folder.hpp"
+#include "app/scene.hpp"
+#include "app/selected_fields.hpp"
+#include "app/summary.hpp"
+#include "output/combined_fields.hpp"
+#include "output/run_file.hpp"
+#include "output/statistics_fields.hpp"
+
+namespace talus::app {
+
+/// Writes a run's records: fields along `time`, single numbers and statistics along `series_time`, both also into the summary.
+class Recorder {
+ public:
+  /// Creates run.nc. All arguments must outlive this. Throws core::OutputError.
+  Recorder(const Scene& scene, core::FieldSource& model, const RunFolder& folder, const std::string& command, Summary& summary);
+
+  /// Records at a series time; fields too if it is one of their times. Throws core::OutputError(output_failed).
+  void at_output(const core::Snapshot& snapshot);
+  /// Records everything, whatever the time: the last state of a run that ends early.
+  void at_end(const core::Snapshot& snapshot);
+  /// Throws core::OutputError(output_failed).
+  void close() { file_.close(); }
+
+ private:
+  void series(const core::Snapshot& snapshot, bool listed);
+
+  const Recording& recording_;
+  Summary& summary_;
+  SelectedFields fields_;
+  SelectedFields numbers_;
+  output::StatisticsFields statistics_;
+  output::CombinedFields series_;
+  output::RunFile file_;
+  std::size_t series_stream_;
+  double last_ = -1.0;
+  std::vector<std::vector<double>> values_;
+};
+
+}  // namespace talus::app

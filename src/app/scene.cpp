@@ -1,0 +1,176 @@
+#include "app/scene.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "app/scene_checks.hpp"
+#include "app/words.hpp"
+#include "config/problems.hpp"
+#include "config/read.hpp"
+
+namespace talus::app {
+namespace {
+
+using config::Problems;
+using config::Values;
+
+double number_or(const Values& v, std::string_view key, double absent) { return v.has(key) ? v.number(key) : absent; }
+
+int small_integer(const Values& v, std::string_view key) { return static_cast<int>(v.integer(key)); }
+
+/// Precondition: the schema has asked for the parameters that the law needs. Throws std::invalid_argument.
+rheology::Law law_of(const Values& v) {
+  const auto mu_s = v.number("rheology.mu_s");
+  const std::string& word = v.text("rheology.law");
+  if (word == "constant") return rheology::constant(mu_s);
+  const auto base = rheology::classical(mu_s, v.number("rheology.mu_d"), v.number("rheology.I_0"));
+  if (word == "classical") return base;
+  const auto I_N = v.has("rheology.I_N") ? std::optional(v.number("rheology.I_N")) : std::nullopt;
+  return rheology::partially_regularised(base, v.number("rheology.mu_inf"), v.number("rheology.alpha"), I_N);
+}
+
+/// `times`, the multiples of `interval`, 0 and `end`, ascending; a multiple within rounding of a listed time is that time.
+std::vector<double> record_times(std::vector<double> times, std::optional<double> interval, double end) {
+  times.insert(times.end(), {0.0, end});
+  std::ranges::sort(times);
+  if (interval) {
+    const std::vector<double> listed = times;
+    const double close = 1e-9 * std::max(end, *interval);
+    for (std::int64_t k = 1; static_cast<double>(k) * *interval < end; ++k) {
+      const double t = static_cast<double>(k) * *interval;
+      const auto next = std::ranges::lower_bound(listed, t - close);
+      if (next == listed.end() || *next > t + close) times.push_back(t);
+    }
+    std::ranges::sort(times);
+  }
+  times.erase(std::ranges::unique(times).begin(), times.end());
+  return times;
+}
+
+layer::Inflow inflow_of(const Values& v) {
+  layer::Inflow inflow;
+  inflow.rate = v.number("inflow.rate");
+  inflow.position = number_or(v, "inflow.position", inflow.position);
+  inflow.width = number_or(v, "inflow.width", inflow.width);
+  inflow.start = v.number("inflow.start");
+  inflow.stop = number_or(v, "inflow.stop", inflow.stop);
+  inflow.ramp = v.number("inflow.ramp");
+  inflow.along_gravity = v.boolean("inflow.along_gravity");
+  return inflow;
+}
+
+layer::Box box_of(const Values& v) {
+  return {.length = v.number("box.length"),
+          .height = v.number("box.height"),
+          .tilt = v.number("box.tilt") * std::numbers::pi / 180.0,
+          .gap = v.number("box.gap"),
+          .gravity = v.number("box.gravity"),
+          .periodic = v.boolean("box.periodic"),
+          .left_open = words::meaning(words::left_ends, v.text("box.left")),
+          .base_slope = v.number("box.base_slope")};
+}
+
+rheology::Regularisation regularisation_of(const Values& v) {
+  return {.p_0 = v.number("rheology.p_0"),
+          .rate_floor = v.number("rheology.rate_floor"),
+          .rate_speed = v.number("rheology.rate_speed"),
+          .eta_max = v.number("rheology.eta_max"),
+          .cap = words::meaning(words::caps, v.text("rheology.cap"))};
+}
+
+layer::Numerics numerics_of(const Values& v) {
+  return {.advection = words::meaning(words::advections, v.text("model.advection")),
+          .film = v.number("model.film"),
+          .film_blend = v.number("model.film_blend"),
+          .film_speed = v.number("model.film_speed"),
+          .surface_filter = v.number("model.surface_filter")};
+}
+
+Integration integration_of(const Values& v) {
+  return {.rtol = v.number("integrator.rtol"),
+          .atol_velocity = v.number("integrator.atol_velocity"),
+          .atol_pressure = v.number("integrator.atol_pressure"),
+          .atol_height = v.number("integrator.atol_height"),
+          .max_order = small_integer(v, "integrator.max_order"),
+          .linear_solver = words::meaning(words::linear_solvers, v.text("integrator.linear_solver")),
+          .newton = words::meaning(words::newtons, v.text("integrator.newton")),
+          .max_step = number_or(v, "integrator.max_step", 0.0)};
+}
+
+Recording recording_of(const Values& v, double end) {
+  const auto interval = v.has("output.interval") ? std::optional(v.number("output.interval")) : std::nullopt;
+  Recording r;
+  r.fields = v.boolean("output.fields");
+  r.listed_times = v.numbers("output.times");
+  r.field_times = record_times(r.listed_times, interval, end);
+  r.series_times = record_times(r.field_times, v.number("output.series_interval"), end);
+  return r;
+}
+
+Scene scene_of(const Values& v) {
+  Scene scene;
+  scene.name = v.text("scene.name");
+  scene.title = v.text("scene.title");
+  scene.description = v.text("scene.description");
+  scene.box = box_of(v);
+  scene.grains = {v.number("grains.rho_star"), v.number("grains.Phi"), v.number("grains.d")};
+  scene.regularisation = regularisation_of(v);
+  scene.wall = {v.number("wall.mu_w"), v.number("wall.u_c")};
+  scene.inflow = inflow_of(v);
+  scene.model = v.text("model.name");
+  scene.numerics = numerics_of(v);
+  scene.initial_thickness = number_or(v, "model.initial_thickness", scene.numerics.film);
+  scene.grid = {small_integer(v, "grid.columns"), small_integer(v, "grid.layers"), v.number("grid.cluster_depth")};
+  scene.integration = integration_of(v);
+  scene.end = v.number("time.end");
+  Problems problems;
+  check_together(scene, v, problems);
+  try {
+    scene.law = law_of(v);
+  } catch (const std::invalid_argument& error) {
+    problems.add(v.place("rheology.law"), "rheology.law", error.what());
+  }
+  problems.throw_if_any();
+  scene.recording = recording_of(v, scene.end);
+  scene.effective = v.to_toml();
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return scene_of(config::read(scene_schema(), file, overrides));
+}
+
+Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides) {
+  return scene_of(config::read_text(scene_schema(), toml, name, overrides));
+}
+
+layer::Parameters make_layer_parameters(const Scene& scene) {
+  return {.box = scene.box,
+          .grains = scene.grains,
+          .law = scene.law,
+          .regularisation = scene.regularisation,
+          .wall = scene.wall,
+          .inflow = scene.inflow,
+          .grid = scene.grid,
+          .numerics = scene.numerics,
+          .initial = {scene.initial_thickness},
+          .atol_velocity = scene.integration.atol_velocity,
+          .atol_pressure = scene.integration.atol_pressure,
+          .atol_height = scene.integration.atol_height};
+}
+
+ida::Options make_integrator_options(const Scene& scene) {
+  ida::Options options;
+  options.rtol = scene.integration.rtol;
+  options.max_order = scene.integration.max_order;
+  options.max_step = scene.integration.max_step;
+  options.newton.kind = scene.integration.newton;
+  options.linear.choice = scene.integration.linear_solver;
+  return options;
+}
+
+}  // namespace talus::app

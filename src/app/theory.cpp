@@ -1,0 +1,154 @@
+#include "app/theory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "grid/layering.hpp"
+#include "steady/uniform_flow.hpp"
+
+namespace talus::app {
+namespace {
+
+constexpr double share_at_depth = 0.01;
+
+using steady::Answer;
+using steady::UniformFlow;
+
+template <class... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), pattern, numbers...);
+  return text.data();
+}
+
+steady::Channel channel_of(const Scene& s) {
+  return {.grains = s.grains, .law = s.law, .gap = s.box.gap, .mu_w = s.wall.mu_w, .gravity = s.box.gravity};
+}
+
+double base_angle(const Scene& s) { return s.box.tilt - std::atan(s.box.base_slope); }
+
+Theory::Steady describe(const UniformFlow& flow, bool heap, double thickness) {
+  return {.heap = heap,
+          .slope = flow.zeta(),
+          .depth = flow.depth_at_share(share_at_depth),
+          .surface_speed = flow.surface_speed(),
+          .flux = flow.flux(),
+          .thickness = thickness,
+          .layers = 0.0};
+}
+
+/// Thickness [m] of a heap where the jet meets it, with its toe at the right end: the jet's line cut with the surface's.
+double heap_thickness(const Scene& s, double slope) {
+  const double rise = std::tan(slope - s.box.tilt);
+  const double drift = s.inflow.along_gravity ? std::tan(s.box.tilt) : 0.0;
+  return (s.box.length - s.inflow.position - drift * s.box.height) * rise / (1.0 - drift * rise);
+}
+
+/// The flow over the base that carries the inflow, found by its thickness up to the box's height.
+Answer<UniformFlow> flow_over_base(const Scene& s) {
+  const auto channel = channel_of(s);
+  double low = 0.0, high = s.box.height;
+  auto flow = UniformFlow::at(channel, base_angle(s), high);
+  if (!flow) return flow;
+  if (flow->flux() < s.inflow.rate) return Answer<UniformFlow>::none("none: a layer over the base does not carry the inflow");
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    flow = UniformFlow::at(channel, base_angle(s), middle);
+    (flow->flux() < s.inflow.rate ? low : high) = middle;
+  }
+  return flow;
+}
+
+void poured(const Scene& s, Theory& theory) {
+  const auto channel = channel_of(s);
+  const bool walls = s.wall.mu_w > 0.0;  // no heap stands without them
+  const auto slope = walls ? steady::slope_of_flux(channel, s.inflow.rate) : Answer<double>::none("no side walls");
+  if (slope && *slope > base_angle(s)) {
+    const auto flow = UniformFlow::at(channel, *slope);
+    theory.steady = describe(*flow, true, heap_thickness(s, *slope));
+    if (theory.steady->thickness > s.box.height) {
+      theory.warnings.push_back(format("the steady heap would be %.0f mm high, above the inlet at %.0f mm",
+                                       1e3 * theory.steady->thickness, 1e3 * s.box.height));
+    }
+    return;
+  }
+  const auto maximum = steady::maximal_flux(channel);
+  if (maximum && s.inflow.rate >= *maximum) {
+    theory.reason = slope.reason();
+    theory.warnings.push_back(format("no steady state exists: the inflow of %.6g kg/s is above the largest steady flow of the classical law, "
+                                     "Q_max = %.6g kg/s", s.inflow.rate, *maximum));
+    return;
+  }
+  if (base_angle(s) <= 0.0) {
+    theory.reason = "none: the base does not slope down to the right";
+    return;
+  }
+  const auto flow = flow_over_base(s);
+  if (flow) {
+    theory.steady = describe(*flow, false, flow->depth());
+  } else {
+    theory.reason = flow.reason();
+  }
+}
+
+void left_to_itself(const Scene& s, Theory& theory) {
+  if (base_angle(s) <= 0.0) {
+    theory.reason = "none: the base does not slope down to the right";
+    return;
+  }
+  const auto flow = UniformFlow::at(channel_of(s), base_angle(s), s.initial_thickness);
+  if (flow) {
+    theory.steady = describe(*flow, false, s.initial_thickness);
+  } else {
+    theory.reason = flow.reason();
+  }
+}
+
+/// Layers, counted from the surface, within `depth` of it in a column of thickness H; fractions count.
+double layers_within(const Scene& s, double depth, double H) {
+  const int n = s.grid.layers;
+  std::vector<double> z(static_cast<std::size_t>(n) + 1), dz(z), d2z(z);
+  grid::Layering(n, s.grid.cluster_depth).heights(H, z, dz, d2z);
+  for (std::size_t k = z.size() - 1; k > 0; --k) {
+    const double top = H - z[k], bottom = H - z[k - 1];
+    if (bottom >= depth) return static_cast<double>(z.size() - 1 - k) + (depth - top) / (bottom - top);
+  }
+  return n;
+}
+
+void judge_grid(const Scene& s, Theory& theory) {
+  const double dx = s.box.length / s.grid.columns;
+  if (s.inflow.rate > 0.0 && dx > 2.0 * s.inflow.width) {
+    theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm", 1e3 * dx,
+                                     1e3 * s.inflow.width));
+  }
+  if (!theory.steady) return;
+  auto& steady = *theory.steady;
+  steady.layers = layers_within(s, steady.depth, std::min(steady.thickness, s.box.height));
+  if (steady.layers < fewest_layers) {
+    theory.warnings.push_back(format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "
+                                     "(more grid.layers, or a smaller grid.cluster_depth)", steady.layers, 1e3 * steady.depth,
+                                     fewest_layers));
+  }
+}
+
+}  // namespace
+
+Theory theory_of(const Scene& scene) {
+  Theory theory;
+  if (scene.inflow.rate > 0.0) {
+    poured(scene, theory);
+  } else if (scene.box.periodic) {
+    left_to_itself(scene, theory);
+  } else {
+    theory.reason = "none: no grains are poured in, those there are run out";
+  }
+  judge_grid(scene, theory);
+  return theory;
+}
+
+}  // namespace talus::app

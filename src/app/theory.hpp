@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene.hpp"
+
+namespace talus::app {
+
+/// What the exact steady solutions of rung 0 say of a scene, and how its grid stands against them.
+struct Theory {
+  /// The steady state that the scene should reach; absent where theory knows none, then `reason` says why.
+  struct Steady {
+    bool heap;             ///< on a heap's own slope; else over the base
+    double slope;          ///< of the surface against the horizontal [rad]
+    double depth;          ///< in which the speed falls to 1 % of that at the surface [m]
+    double surface_speed;  ///< [m/s]
+    double flux;           ///< [kg/s]
+    double thickness;      ///< expected, where the layer is thickest [m]
+    double layers;         ///< of the grid within `depth`, where it is thickest
+  };
+  std::optional<Steady> steady;
+  std::string reason;
+  std::vector<std::string> warnings;  ///< what the user should know before the run
+};
+
+/// Fewest layers within the flowing depth that a grid may have without a warning: with 4, trials kept the slope of a heap
+/// within 0.6 degrees.
+inline constexpr double fewest_layers = 4.0;
+
+Theory theory_of(const Scene& scene);
+
+}  // namespace talus::app
