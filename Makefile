@@ -15,7 +15,7 @@ export OPENBLAS_NUM_THREADS := 1
 BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libnetcdf-dev \
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
 PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib ffmpeg
-CHECK_PACKAGES := git clang-format clang-tidy
+CHECK_PACKAGES := git clang-format clang-tidy-16
 
 .PHONY: help deps configure run test test-slow bench format check check-all clean
 

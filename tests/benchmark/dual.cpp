@@ -34,7 +34,7 @@ void corner(benchmark::State& state) {
     if constexpr (std::is_same_v<S, double>) in[i] = value;
     else in[i] = S::input(value, i);
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(in);
     benchmark::DoNotOptimize(shear_stress(in));
   }
