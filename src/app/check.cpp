@@ -36,9 +36,9 @@ std::string steady_of(const Theory& theory) {
   if (!theory.steady) return theory.reason.empty() ? "" : line("steady     %s", theory.reason.c_str());
   const auto& s = *theory.steady;
   std::string out = line("steady     %s of slope %.4f degrees, flow %.6g kg/s (exact, for u_c -> 0)", s.heap ? "a heap" : "a layer over the base",
-                         s.slope * 180.0 / std::numbers::pi, s.flux);
+                         s.flow.zeta() * 180.0 / std::numbers::pi, s.flow.flux());
   out += line("           surface speed %.4g m/s; flowing layer %.2f mm deep (down to 1 %% of that speed), thickest column %.1f mm",
-              s.surface_speed, 1e3 * s.depth, 1e3 * s.thickness);
+              s.flow.surface_speed(), 1e3 * s.depth, 1e3 * s.thickness);
   out += line("resolution %.1f layers within the flowing layer", s.layers);
   return out;
 }

@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -63,7 +64,9 @@ int act(int argc, const char* const* argv) {
   std::filesystem::path folder;
   auto* plot_command = program.add_subcommand("plot", "draw the pictures of a run into its folder");
   plot_command->add_option("folder", folder, "output folder of a run")->required()->type_name("DIR");
-  plot_command->callback([&] { code = plot(folder); });
+  bool movie = false;
+  plot_command->add_flag("--movie", movie, "a movie of the whole event, too");
+  plot_command->callback([&] { code = plot(folder, movie); });
 
   try {
     program.parse(argc, argv);
@@ -76,6 +79,7 @@ int act(int argc, const char* const* argv) {
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of the write, not a death
   try {
     return act(argc, argv);
   } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "app/recorder.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "app/versions.hpp"
 #include "output/provenance.hpp"
@@ -11,19 +12,28 @@ namespace {
 output::Attributes attributes_of(const Scene& scene, const std::string& command) {
   auto attributes = output::provenance_attributes({scene.effective, command, library_versions()});
   attributes["title"] = scene.title.empty() ? scene.name : scene.title;
+  attributes["scene_name"] = scene.name;
+  attributes["box_tilt_deg"] = scene.box.tilt * 180.0 / std::numbers::pi;
+  attributes["film_m"] = scene.numerics.film;
+  attributes["inflow_rate_kg_s"] = scene.inflow.rate;
+  attributes["wall_friction"] = scene.wall.mu_w;
   if (!scene.description.empty()) attributes["comment"] = scene.description;
   return attributes;
 }
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, core::FieldSource& model, const RunFolder& folder, const std::string& command, Summary& summary)
+Recorder::Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder,
+                   const std::string& command, Summary& summary)
     : recording_(scene.recording),
       summary_(summary),
       fields_(model, scene.recording.fields ? Selection::fields : Selection::surface),
-      numbers_(model, Selection::series),
-      series_({numbers_, statistics_}),
-      file_(folder.data(), fields_, attributes_of(scene, command)),
+      exact_(theory),
+      fields_and_exact_({fields_, exact_}),
+      numbers_(model, Selection::numbers),
+      lines_(model, Selection::series),
+      series_({lines_, statistics_}),
+      file_(folder.data(), fields_and_exact_, attributes_of(scene, command)),
       series_stream_(file_.add_stream("series_time", series_)) {}
 
 void Recorder::at_output(const core::Snapshot& snapshot) {

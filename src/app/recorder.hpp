@@ -1,21 +1,24 @@
 #pragma once
 
-#include "app/models.hpp"
+#include "app/exact_profile.hpp"
 #include "app/run_folder.hpp"
 #include "app/scene.hpp"
 #include "app/selected_fields.hpp"
 #include "app/summary.hpp"
+#include "app/theory.hpp"
 #include "output/combined_fields.hpp"
 #include "output/run_file.hpp"
 #include "output/statistics_fields.hpp"
 
 namespace talus::app {
 
-/// Writes a run's records: fields along `time`, single numbers and statistics along `series_time`, both also into the summary.
+/// Writes a run's records: fields along `time`; surface lines, single numbers and statistics along `series_time`. The numbers also
+/// go to the summary.
 class Recorder {
  public:
   /// Creates run.nc. All arguments must outlive this. Throws core::OutputError.
-  Recorder(const Scene& scene, core::FieldSource& model, const RunFolder& folder, const std::string& command, Summary& summary);
+  Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder, const std::string& command,
+           Summary& summary);
 
   /// Records at a series time; fields too if it is one of their times. Throws core::OutputError(output_failed).
   void at_output(const core::Snapshot& snapshot);
@@ -30,7 +33,10 @@ class Recorder {
   const Recording& recording_;
   Summary& summary_;
   SelectedFields fields_;
+  ExactProfile exact_;
+  output::CombinedFields fields_and_exact_;
   SelectedFields numbers_;
+  SelectedFields lines_;
   output::StatisticsFields statistics_;
   output::CombinedFields series_;
   output::RunFile file_;

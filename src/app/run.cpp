@@ -89,10 +89,10 @@ void write_failure(Summary& summary, const RunFolder& folder, const std::excepti
   }
 }
 
-int carry_out(const Scene& scene, const RunFolder& folder, const RunRequest& request, Summary& summary, spdlog::logger& log) {
+int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder, const RunRequest& request, Summary& summary, spdlog::logger& log) {
   const Interrupt interrupt;
   const Simulation simulation = model(scene.model).build(scene);
-  Recorder recorder(scene, *simulation.fields, folder, request.command, summary);
+  Recorder recorder(scene, theory, *simulation.fields, folder, request.command, summary);
   ida::Ida integrator(*simulation.system, make_integrator_options(scene));
   bool finished = false;
   try {
@@ -120,16 +120,16 @@ int carry_out(const Scene& scene, const RunFolder& folder, const RunRequest& req
 int run(const RunRequest& request) {
   const Scene scene = read_scene(request.scene_file, request.overrides);
   const RunFolder folder(request.out.value_or(std::filesystem::path("out") / scene.name), request.force);
-  const auto warnings = theory_of(scene).warnings;
-  for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  const Theory theory = theory_of(scene);
+  for (const auto& warning : theory.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   output::write_atomically(folder.scene(), scene.effective);
   const auto log = make_log(folder.log());
   log->info("{}", request.command);
   for (const auto& library : library_versions()) log->info("{}", library);
-  for (const auto& warning : warnings) log->warn("{}", warning);
-  Summary summary(scene, warnings);
+  for (const auto& warning : theory.warnings) log->warn("{}", warning);
+  Summary summary(scene, theory.warnings);
   try {
-    return carry_out(scene, folder, request, summary, *log);
+    return carry_out(scene, theory, folder, request, summary, *log);
   } catch (const std::exception& error) {
     log->error("{}", error.what());
     write_failure(summary, folder, error, *log);

@@ -1,8 +1,10 @@
 #include "app/scene_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 
 namespace talus::app {
 namespace {
@@ -16,7 +18,11 @@ double landing(const Scene& scene) {
   return scene.inflow.position + drift * scene.box.height;
 }
 
-std::string in_metres(double x) { return config::to_toml(x) + " m"; }
+std::string in_metres(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g m", x);
+  return text.data();
+}
 
 /// What no single key can tell.
 class CrossChecks {

@@ -7,8 +7,13 @@ namespace {
 
 bool wanted(const core::Variable& v, Selection selection) {
   const bool number_in_time = v.dimensions.empty() && !v.fixed;
-  if (selection == Selection::series) return number_in_time;
-  return !number_in_time && (selection == Selection::fields || v.dimensions.size() < 2);
+  switch (selection) {
+    case Selection::fields: return !number_in_time;
+    case Selection::surface: return !number_in_time && v.dimensions.size() < 2;
+    case Selection::series: return !v.fixed && v.dimensions.size() < 2;
+    case Selection::numbers: return number_in_time;
+  }
+  return false;
 }
 
 }  // namespace
@@ -18,6 +23,7 @@ SelectedFields::SelectedFields(core::FieldSource& source, Selection selection) :
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!wanted(all[i], selection)) continue;
     variables_.push_back(all[i]);
+    if (selection == Selection::series && !all[i].dimensions.empty()) variables_.back().name += "_series";
     chosen_.push_back(i);
   }
 }

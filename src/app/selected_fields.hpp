@@ -6,12 +6,11 @@
 
 namespace talus::app {
 
-/// Which variables of a model go where: what has a place on the grid is recorded at the field times, what is one number at the
-/// series times.
-enum class Selection { fields, surface, series };
+/// `fields`: what has a place, and what is written once; `surface`: of these, what has at most one dimension; `series`: what changes
+/// in time and has at most one dimension, lines under their name with "_series" behind; `numbers`: single numbers that change in time.
+enum class Selection { fields, surface, series, numbers };
 
-/// The part of a source's variables that a recording wants. `fields`: all with a place, and what is written once; `surface`: of
-/// these, those with at most one dimension; `series`: single numbers that change in time.
+/// The part of a source's variables that a recording wants. Fields are recorded seldom, series often.
 class SelectedFields : public core::FieldSource {
  public:
   /// `source` must outlive this object.

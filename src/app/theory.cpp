@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "grid/layering.hpp"
-#include "steady/uniform_flow.hpp"
 
 namespace talus::app {
 namespace {
@@ -31,13 +29,7 @@ steady::Channel channel_of(const Scene& s) {
 double base_angle(const Scene& s) { return s.box.tilt - std::atan(s.box.base_slope); }
 
 Theory::Steady describe(const UniformFlow& flow, bool heap, double thickness) {
-  return {.heap = heap,
-          .slope = flow.zeta(),
-          .depth = flow.depth_at_share(share_at_depth),
-          .surface_speed = flow.surface_speed(),
-          .flux = flow.flux(),
-          .thickness = thickness,
-          .layers = 0.0};
+  return {.flow = flow, .heap = heap, .depth = flow.depth_at_share(share_at_depth), .thickness = thickness, .layers = 0.0};
 }
 
 /// Thickness [m] of a heap where the jet meets it, with its toe at the right end: the jet's line cut with the surface's.

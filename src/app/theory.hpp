@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene.hpp"
+#include "steady/uniform_flow.hpp"
 
 namespace talus::app {
 
@@ -12,13 +13,11 @@ namespace talus::app {
 struct Theory {
   /// The steady state that the scene should reach; absent where theory knows none, then `reason` says why.
   struct Steady {
-    bool heap;             ///< on a heap's own slope; else over the base
-    double slope;          ///< of the surface against the horizontal [rad]
-    double depth;          ///< in which the speed falls to 1 % of that at the surface [m]
-    double surface_speed;  ///< [m/s]
-    double flux;           ///< [kg/s]
-    double thickness;      ///< expected, where the layer is thickest [m]
-    double layers;         ///< of the grid within `depth`, where it is thickest
+    steady::UniformFlow flow;
+    bool heap;         ///< on a heap's own slope; else over the base
+    double depth;      ///< in which the speed falls to 1 % of that at the surface [m]
+    double thickness;  ///< expected, where the layer is thickest [m]
+    double layers;     ///< of the grid within `depth`, where it is thickest
   };
   std::optional<Steady> steady;
   std::string reason;

@@ -24,7 +24,7 @@ inline const std::vector<Family>& families() {
       {"spdlog", R"((spdlog|fmt)/.*)", "spdlog::.*", "src/app/"},
       {"JSON", R"(nlohmann/.*)", "nlohmann_json::.*", "src/"},
       {"Eigen", R"(Eigen/.*)", "Eigen3::Eigen", ""},
-      {"POSIX", R"((sys/.*|unistd|fcntl|signal|poll)\.h)", "", "src/"},
+      {"POSIX", R"((sys/.*|unistd|fcntl|signal|poll|spawn)\.h)", "", "src/"},
   };
   return list;
 }

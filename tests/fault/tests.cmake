@@ -1,0 +1,6 @@
+talus_test(fault bad_scene LIBRARIES nlohmann_json::nlohmann_json)
+add_dependencies(test_bad_scene talus)
+target_compile_definitions(test_bad_scene PRIVATE TALUS_PROGRAM="$<TARGET_FILE:talus>")
+talus_test(fault run_folder LIBRARIES nlohmann_json::nlohmann_json)
+add_dependencies(test_run_folder talus)
+target_compile_definitions(test_run_folder PRIVATE TALUS_PROGRAM="$<TARGET_FILE:talus>")

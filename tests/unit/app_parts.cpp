@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/progress.hpp"
+#include "app/scene.hpp"
+#include "app/selected_fields.hpp"
+#include "support/heap_fields.hpp"
+
+namespace {
+using namespace talus;
+
+TEST(Progress, SpeaksOfDurationsAsPeopleDo) {
+  EXPECT_EQ(app::duration(0.4), "0 s");
+  EXPECT_EQ(app::duration(59.4), "59 s");
+  EXPECT_EQ(app::duration(185.0), "3 min 05 s");
+  EXPECT_EQ(app::duration(7620.0), "2 h 07 min");
+  EXPECT_EQ(app::bar(0.5, 4), "[##..]");
+  EXPECT_EQ(app::bar(1.0, 4), "[####]");
+}
+
+std::vector<std::string> names(const core::FieldSource& source) {
+  std::vector<std::string> out;
+  for (const auto& variable : source.variables()) out.push_back(variable.name);
+  return out;
+}
+
+TEST(SelectedFields, PartAModelsVariablesByPlaceAndTime) {
+  support::HeapFields model;
+  using Names = std::vector<std::string>;
+  app::SelectedFields fields(model, app::Selection::fields), surface(model, app::Selection::surface);
+  app::SelectedFields series(model, app::Selection::series), numbers(model, app::Selection::numbers);
+  EXPECT_EQ(names(fields), (Names{"mesh", "x", "speed", "height"}));
+  EXPECT_EQ(names(surface), (Names{"mesh", "x", "height"}));
+  EXPECT_EQ(names(series), (Names{"height_series", "mass_stored"}));
+  EXPECT_EQ(names(numbers), (Names{"mass_stored"}));
+  EXPECT_EQ(surface.dimensions().size(), 1U);
+
+  std::vector<std::vector<double>> values;
+  series.evaluate({2.0, {}, {}, core::Statistics{}}, values);
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_EQ(values[0].size(), support::HeapFields::n_columns);
+  EXPECT_EQ(values[1].at(0), support::HeapFields::value(2.0, 0));
+}
+
+TEST(Scene, RecordTimesUniteListIntervalStartAndEnd) {
+  const auto scene = app::read_scene(TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml",
+                                     {"time.end=0.35", "output.times=[0.05, 0.30000000000000004]", "output.interval=0.1",
+                                      "output.series_interval=0.05"});
+  const std::vector<double> fields{0.0, 0.05, 0.1, 0.2, 0.30000000000000004, 0.35};
+  EXPECT_EQ(scene.recording.field_times, fields);
+  EXPECT_EQ(scene.recording.series_times.size(), 8U);
+  for (const double t : fields) EXPECT_TRUE(std::ranges::binary_search(scene.recording.series_times, t)) << t;
+}
+
+TEST(Scene, GoesIntoTheModelInSiUnitsAndRadians) {
+  const auto scene = app::read_scene(TALUS_SOURCE_DIR "/runs/examples/heap_q46.toml",
+                                     {"box.left=wall", "rheology.cap=hard", "rheology.eta_max=500", "model.film=4e-4"});
+  const auto p = app::make_layer_parameters(scene);
+  EXPECT_DOUBLE_EQ(p.box.tilt, 29.2 * 3.14159265358979323846 / 180.0);
+  EXPECT_FALSE(p.box.left_open);
+  EXPECT_EQ(p.regularisation.cap, rheology::Cap::hard);
+  EXPECT_EQ(p.regularisation.eta_max, 500.0);
+  EXPECT_EQ(p.initial.thickness, 4e-4);
+  EXPECT_EQ(p.inflow.rate, 0.0046);
+  EXPECT_EQ(p.inflow.stop, 150.0);
+  EXPECT_NEAR(std::get<rheology::PartiallyRegularised>(p.law).A, 2257.43947669322, 1e-8);
+}
+
+TEST(Scene, RecomputesTheCrossoverWhereItIsNotGiven) {
+  auto toml = app::read_scene(TALUS_SOURCE_DIR "/runs/examples/heap_q46.toml").effective;
+  const auto at = toml.find("I_N = 0.05178");
+  ASSERT_NE(at, std::string::npos);
+  const auto scene = app::read_scene_text(toml.erase(at, 13), "scene.toml");
+  EXPECT_NEAR(std::get<rheology::PartiallyRegularised>(scene.law).I_N, 0.0517818300563480, 1e-12);
+  EXPECT_NE(scene.effective.find("# I_N: optional; absent: the lower neutral point"), std::string::npos);
+}
+}  // namespace
