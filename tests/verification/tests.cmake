@@ -1,1 +1,2 @@
 talus_test(verification steady_uniform_flow ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(verification steady_regularised_profile ROOMS steady)
