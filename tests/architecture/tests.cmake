@@ -1,1 +1,2 @@
 talus_test(architecture house)
+talus_test(architecture deps)
