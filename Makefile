@@ -32,7 +32,7 @@ configure: deps
 run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for another scene
 	@cmake --build $(RELEASE) -j $(JOBS) --target talus
 	@$(RELEASE)/talus run $(SCENE) --out $(OUT) --force
-	@$(RELEASE)/talus plot $(OUT)
+	@$(RELEASE)/talus plot $(OUT) --movie
 	@echo "Results: $(OUT)/run.nc, summary in $(OUT)/summary.json. Pictures and movie:"
 	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
 
