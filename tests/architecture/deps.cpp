@@ -19,7 +19,9 @@ class Deps : public testing::Test {
     for (const char* name : {"bash", "sh", "sed", "comm", "sort", "mktemp", "rm", "tail", "env"})
       fs::create_symlink(fs::path("/usr/bin") / name, programs_ / name);
     counterfeit("dpkg-query", "echo 'installed present'");
-    counterfeit("apt-get", "echo \"$DEBIAN_FRONTEND $*\" >>\"$NOTES\"; case \"$*\" in *broken*) echo no such package; exit 100;; esac");
+    counterfeit(
+        "apt-get",
+        "echo \"$DEBIAN_FRONTEND $*\" >>\"$NOTES\"; case \"$*\" in *broken*) echo no such package; exit 100;; esac");
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -30,8 +32,9 @@ class Deps : public testing::Test {
 
   /// Exit code of .ci/deps for these packages; what it says and what apt-get was asked stand in said() and asked().
   int deps(const std::string& packages) {
-    const std::string command = "DEBIAN_FRONTEND= NOTES='" + (folder_ / "asked").string() + "' PATH='" + programs_.string() + "' /usr/bin/bash '" +
-                                TALUS_SOURCE_DIR "/.ci/deps' " + packages + " >'" + (folder_ / "said").string() + "' 2>&1";
+    const std::string command = "DEBIAN_FRONTEND= NOTES='" + (folder_ / "asked").string() + "' PATH='" +
+                                programs_.string() + "' /usr/bin/bash '" + TALUS_SOURCE_DIR "/.ci/deps' " + packages +
+                                " >'" + (folder_ / "said").string() + "' 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));
   }
   [[nodiscard]] std::string said() const { return text("said"); }

@@ -7,11 +7,14 @@
 /// Rules about where things lie and that nothing lies about unused.
 namespace talus::architecture {
 
-inline std::string folder_of(const std::string& file) { return std::filesystem::path(file).parent_path().generic_string(); }
+inline std::string folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path().generic_string();
+}
 inline std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().generic_string(); }
 
 inline Strings top_level_is_fixed(const Tree& tree) {
-  static const Strings allowed{"src", "models", "integrators", "tests", "runs", "CMakeLists.txt", "Makefile", "README.md"};
+  static const Strings allowed{"src",  "models",         "integrators", "tests",
+                               "runs", "CMakeLists.txt", "Makefile",    "README.md"};
   Strings faults;
   for (const std::string& file : tree.files()) {
     const std::string top = file.substr(0, file.find('/'));
@@ -28,7 +31,8 @@ inline Strings sources_lie_in_rooms(const Tree& tree) {
     if (!is_cpp(file) || file.starts_with("tests/")) continue;
     const Room* room = tree.room_of(file);
     if (!room) faults.push_back(file + ": no talus_room of CMakeLists.txt has this folder");
-    else if (file.ends_with(".cpp") && folder_of(file) != room->folder) faults.push_back(file + ": in a subfolder, where no target compiles it");
+    else if (file.ends_with(".cpp") && folder_of(file) != room->folder)
+      faults.push_back(file + ": in a subfolder, where no target compiles it");
   }
   return faults;
 }
@@ -59,24 +63,26 @@ inline Strings rooms_explain_themselves(const Tree& tree) {
   for (const auto& [folder, decides] : rooms) {
     const std::string readme = folder + "/README.md";
     if (!tree.has(readme)) faults.push_back(folder + ": has no README.md");
-    else if (decides && tree.text(readme).find("Decisions") == std::string::npos) faults.push_back(readme + ": has no Decisions");
+    else if (decides && tree.text(readme).find("Decisions") == std::string::npos)
+      faults.push_back(readme + ": has no Decisions");
   }
   return faults;
 }
 
-/// Each source of tests/<label> stands in a line talus_test(<label> name ...) or talus_benchmark(name ...) of its tests.cmake, and
-/// tests/CMakeLists.txt reads that file.
+/// Each source of tests/<label> stands in a line talus_test(<label> name ...) or talus_benchmark(name ...) of its tests.cmake, each
+/// script by its file name, and tests/CMakeLists.txt reads that list. What tests/support holds is for others to include.
 inline Strings every_test_runs(const Tree& tree) {
   Strings faults;
   for (const std::string& file : tree.files()) {
-    if (!file.starts_with("tests/") || !file.ends_with(".cpp")) continue;
+    const bool is_script = file.ends_with(".py") && !file.starts_with("tests/support/");
+    if (!file.starts_with("tests/") || !(file.ends_with(".cpp") || is_script)) continue;
     const std::string label = folder_of(file).substr(6);
     const std::regex comment("#[^\n]*");
     const std::string list = std::regex_replace(tree.text("tests/" + label + "/tests.cmake"), comment, "");
     const std::string all = std::regex_replace(tree.text("tests/CMakeLists.txt"), comment, "");
-    const std::string by_test = R"(talus_test\(\s*)" + label + R"(\s+)" + stem_of(file) + R"([\s)])";
-    const std::string by_benchmark = R"(talus_benchmark\(\s*)" + stem_of(file) + R"([\s)])";
-    if (!std::regex_search(list, std::regex(label == "benchmark" ? by_benchmark : by_test)))
+    const std::string call = label == "benchmark" ? R"(talus_benchmark\(\s*)" : R"(talus_test\(\s*)" + label + R"(\s+)";
+    const std::string line = is_script ? "\\b" + stem_of(file) + R"(\.py\b)" : call + stem_of(file) + R"([\s)])";
+    if (!std::regex_search(list, std::regex(line)))
       faults.push_back(file + ": no line of tests/" + label + "/tests.cmake runs it");
     else if (!std::regex_search(all, std::regex("\\b" + label + "\\b")))
       faults.push_back(file + ": tests/CMakeLists.txt does not read its label");

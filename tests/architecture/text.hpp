@@ -9,8 +9,10 @@
 namespace talus::architecture {
 
 /// Lines of text files in which `forbidden` is found, with `reason`.
-inline Strings lines_with(const Tree& tree, const std::regex& forbidden, const std::string& folder, const std::string& reason) {
-  static const std::regex text_file(R"(.*\.(hpp|cpp|py|toml|cmake|txt|md|json|csv|sh|yml)|.*Makefile|\.[^/]*(/[^/.]*)?)");
+inline Strings lines_with(const Tree& tree, const std::regex& forbidden, const std::string& folder,
+                          const std::string& reason) {
+  static const std::regex text_file(
+      R"(.*\.(hpp|cpp|py|toml|cmake|txt|md|json|csv|sh|yml)|.*Makefile|\.[^/]*(/[^/.]*)?)");
   Strings faults;
   for (const std::string& file : tree.files())
     if (file.starts_with(folder) && std::regex_match(file, text_file))
@@ -24,7 +26,12 @@ inline Strings no_machine_paths(const Tree& tree) {
 }
 
 inline Strings every_test_can_fail(const Tree& tree) {
-  return lines_with(tree, std::regex("GTEST_" "SKIP|DISABLED" "_|SUCCEED" "\\(|(EXPECT|ASSERT)_TRUE\\(true\\)"), "tests/", "a test that cannot fail");
+  return lines_with(tree,
+                    std::regex("GTEST_"
+                               "SKIP|DISABLED"
+                               "_|SUCCEED"
+                               "\\(|(EXPECT|ASSERT)_TRUE\\(true\\)"),
+                    "tests/", "a test that cannot fail");
 }
 
 /// A file over 500 lines stands in tests/architecture/long_files.txt with its reason ("path: reason"), and only such files stand there.
@@ -32,7 +39,9 @@ inline Strings long_files_have_a_reason(const Tree& tree) {
   static const std::string list = "tests/architecture/long_files.txt";
   std::map<std::string, std::string> reasons;
   for (const Line& line : tree.lines(list))
-    if (!line.text.starts_with('#')) reasons[line.text.substr(0, line.text.find(':'))] = line.text.substr(std::min(line.text.size(), line.text.find(": ")));
+    if (!line.text.starts_with('#'))
+      reasons[line.text.substr(0, line.text.find(':'))] =
+          line.text.substr(std::min(line.text.size(), line.text.find(": ")));
   Strings faults;
   for (const std::string& file : tree.files()) {
     static const std::regex code(R"(.*\.(hpp|cpp|py|toml|cmake)|(.*/)?(CMakeLists\.txt|Makefile))");
@@ -56,7 +65,8 @@ inline Strings readmes_are_short_and_sound(const Tree& tree) {
     if (!file.ends_with("README.md")) continue;
     for (const Line& line : tree.lines(file))
       for (std::sregex_iterator it(line.text.begin(), line.text.end(), link), end; it != end; ++it)
-        if (!std::filesystem::exists(tree.root() / folder_of(file) / (*it)[1].str())) faults.push_back(at(file, line) + "dead link " + (*it)[1].str());
+        if (!std::filesystem::exists(tree.root() / folder_of(file) / (*it)[1].str()))
+          faults.push_back(at(file, line) + "dead link " + (*it)[1].str());
   }
   return faults;
 }

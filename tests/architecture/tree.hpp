@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -48,7 +49,9 @@ class Tree {
   [[nodiscard]] const Strings& files() const { return files_; }
   [[nodiscard]] const std::vector<Room>& rooms() const { return rooms_; }
 
-  [[nodiscard]] bool has(const std::string& file) const { return std::binary_search(files_.begin(), files_.end(), file); }
+  [[nodiscard]] bool has(const std::string& file) const {
+    return std::binary_search(files_.begin(), files_.end(), file);
+  }
 
   [[nodiscard]] const Room* room_named(const std::string& name) const {
     const auto it = std::find_if(rooms_.begin(), rooms_.end(), [&](const Room& room) { return room.name == name; });
@@ -56,14 +59,24 @@ class Tree {
   }
 
   [[nodiscard]] const Room* room_of(const std::string& file) const {
-    const auto it = std::find_if(rooms_.begin(), rooms_.end(), [&](const Room& room) { return file.starts_with(room.folder + "/"); });
+    const auto it = std::find_if(rooms_.begin(), rooms_.end(),
+                                 [&](const Room& room) { return file.starts_with(room.folder + "/"); });
     return it == rooms_.end() ? nullptr : &*it;
   }
 
   /// Empty for a file that does not exist.
   [[nodiscard]] std::string text(const std::string& file) const {
     std::ifstream in(root_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::string on_disk{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const auto appended = appended_.find(file);
+    return appended == appended_.end() ? on_disk : on_disk + appended->second;
+  }
+
+  /// As if `text` stood at the end of `file`, a new one perhaps; the disk is not touched.
+  void append(const std::string& file, const std::string& text) {
+    appended_[file] += text;
+    if (!has(file)) files_.insert(std::upper_bound(files_.begin(), files_.end(), file), file);
+    read_rooms();
   }
 
   [[nodiscard]] std::vector<Line> lines(const std::string& file) const {
@@ -80,6 +93,7 @@ class Tree {
   }
 
   void read_rooms() {
+    rooms_.clear();
     const std::string cmake = std::regex_replace(text("CMakeLists.txt"), std::regex("#[^\n]*"), "");
     const std::regex call(R"((^|\n)talus_room\(([^)]*)\))");
     for (std::sregex_iterator it(cmake.begin(), cmake.end(), call), end; it != end; ++it) {
@@ -98,11 +112,16 @@ class Tree {
 
   std::filesystem::path root_;
   Strings files_;
+  std::map<std::string, std::string> appended_;
   std::vector<Room> rooms_;
 };
 
 inline bool is_cpp(const std::string& file) { return file.ends_with(".hpp") || file.ends_with(".cpp"); }
-inline bool contains(const Strings& list, const std::string& item) { return std::find(list.begin(), list.end(), item) != list.end(); }
-inline std::string at(const std::string& file, const Line& line) { return file + ":" + std::to_string(line.number) + ": "; }
+inline bool contains(const Strings& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+inline std::string at(const std::string& file, const Line& line) {
+  return file + ":" + std::to_string(line.number) + ": ";
+}
 
 }  // namespace talus::architecture

@@ -12,7 +12,8 @@ namespace {
 using talus::core::Dual;
 
 // Table 2 of the paper.
-const talus::rheology::Law law = talus::rheology::PartiallyRegularised{0.4, 0.9, 1.3, 1.3, 0.05178, 1.9, 2257.43947669322};
+const talus::rheology::Law law =
+    talus::rheology::PartiallyRegularised{0.4, 0.9, 1.3, 1.3, 0.05178, 1.9, 2257.43947669322};
 const talus::rheology::Grains grains{2500.0, 0.6, 0.00073};
 const talus::rheology::Regularisation regularisation{1.0, 1e-6, 0.0, 1e4, talus::rheology::Cap::smooth};
 
@@ -23,7 +24,9 @@ S shear_stress(const std::array<S, N>& in) {
     shear += in[i] * (i % 2 ? 100.0 : -80.0);
     stretch += in[i] * (i % 3 ? 30.0 : -50.0);
   }
-  return talus::rheology::viscosity(law, grains, regularisation, S(shear * shear + stretch * stretch), 1e-6, in[N - 1]) * shear;
+  return talus::rheology::viscosity(law, grains, regularisation, S(shear * shear + stretch * stretch), 1e-6,
+                                    in[N - 1]) *
+         shear;
 }
 
 template <class S, int N>

@@ -23,7 +23,8 @@ std::vector<std::pair<Index, Index>> nine_point(Index n) {
 
 void build(benchmark::State& state) {
   const auto entries = nine_point(state.range(0));
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(talus::core::SparsePattern(3 * state.range(0) * state.range(0), entries));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(talus::core::SparsePattern(3 * state.range(0) * state.range(0), entries));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(entries.size()));
 }
 
