@@ -11,3 +11,11 @@ talus_test(unit rheology_well_posedness ROOMS rheology LIBRARIES nlohmann_json::
 talus_test(unit steady_answers ROOMS steady)
 talus_test(unit ida_solutions ROOMS core linear ida)
 talus_test(unit steady_profile_answers ROOMS steady)
+talus_test(unit diagnostics_norms ROOMS diagnostics)
+talus_test(unit diagnostics_heap_shape ROOMS diagnostics)
+talus_test(unit diagnostics_ill_posedness ROOMS diagnostics)
+# Debian's own Python first: it has the packages, another one on the PATH may not.
+find_program(TALUS_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(TALUS_PYTHON python3 REQUIRED)
+add_test(NAME plot COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/unit/plot.py)
+set_tests_properties(plot PROPERTIES LABELS unit)

@@ -1,0 +1,79 @@
+"""Draws the pictures of a run: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
+
+import argparse
+import os
+import sys
+import time
+from pathlib import Path
+
+OK, SETUP_FAILED, OUTPUT_FAILED = 0, 3, 5  # exit codes of talus
+SYSTEM_PYTHON = "/usr/bin/python3"         # the one that Debian's packages serve
+
+
+class Progress:
+    """One line that rewrites itself on a terminal; a plain line a picture elsewhere."""
+
+    def __init__(self, stream=sys.stderr):
+        self.stream, self.live = stream, stream.isatty()
+
+    def begin(self, words):
+        self.words, self.start = words, time.monotonic()
+        self.show(0.0)
+
+    def show(self, fraction):
+        if self.live:
+            self.stream.write(f"\r\033[K{self.words} {100.0 * fraction:.0f} %")
+            self.stream.flush()
+
+    def end(self, result):
+        self.stream.write(("\r\033[K" if self.live else "") + f"{self.words}: {result} ({time.monotonic() - self.start:.1f} s)\n")
+        self.stream.flush()
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="python3 src/plot", description="Draws the pictures of a run of Talus.")
+    parser.add_argument("run", type=Path, help="folder that holds run.nc")
+    parser.add_argument("--out", type=Path, help="folder for the pictures (default: 'pictures' in the run's folder)")
+    parser.add_argument("--movie", action="store_true", help="a movie of the whole event, too")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    try:
+        import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
+        from run_data import Missing, Run
+    except ImportError as error:
+        if sys.prefix != "/usr" and os.access(SYSTEM_PYTHON, os.X_OK):  # another Python comes first on the PATH
+            os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
+        print(f"{error}: the pictures need python3-xarray, python3-netcdf4 and python3-matplotlib", file=sys.stderr)
+        return SETUP_FAILED
+    folder = options.out or options.run / "pictures"
+    try:
+        run = Run(options.run)
+        folder.mkdir(parents=True, exist_ok=True)
+    except (Missing, OSError) as error:
+        print(error, file=sys.stderr)
+        return SETUP_FAILED
+
+    progress = Progress()
+    pictures = [("heap shapes", heap_shapes.draw), ("fields", field_maps.draw), ("mass", mass_curves.draw),
+                ("profiles", layer_profiles.draw), ("integrator", solver_history.draw)]
+    if options.movie:
+        pictures.append(("movie", lambda run, folder: heap_movie.draw(run, folder, progress.show)))
+    n_missing = 0
+    for words, draw in pictures:
+        progress.begin(words)
+        try:
+            progress.end(", ".join(path.name for path in draw(run, folder)))
+        except Missing as reason:
+            n_missing += 1
+            progress.end(f"left out, {reason}")
+        except OSError as error:
+            progress.end(f"failed, {error}")
+            return OUTPUT_FAILED
+    return OUTPUT_FAILED if n_missing == len(pictures) else OK
+
+
+if __name__ == "__main__":
+    sys.exit(main())

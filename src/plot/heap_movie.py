@@ -1,0 +1,156 @@
+"""The whole event as a movie: speed in the heap above, mass flow below, one frame a simulated second."""
+
+import shutil
+import subprocess
+
+import numpy as np
+from matplotlib.collections import LineCollection
+
+import look
+from look import plt
+from run_data import Missing
+
+WIDTH, HEIGHT, DPI = 1280, 960, 120  # pixels, even as yuv420p demands
+FRAMES_A_SECOND = 25
+
+
+def draw(run, folder, progress):
+    if shutil.which("ffmpeg") is None:
+        raise Missing("ffmpeg is not installed: no movie")
+    path = folder / "movie.mp4"
+    times = frame_times(run)
+    scene = (FieldScene if FieldScene.fits(run, times) else SurfaceScene)(run)
+    frames = Frames(run, scene)
+    # Raw frames through a pipe: matplotlib's own writers would save or encode each figure anew.
+    encoder = subprocess.Popen(
+        ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{WIDTH}x{HEIGHT}",
+         "-r", str(FRAMES_A_SECOND), "-i", "-", "-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-pix_fmt", "yuv420p",
+         "-movflags", "+faststart", str(path)], stdin=subprocess.PIPE)
+    try:
+        for number, t in enumerate(times):
+            encoder.stdin.write(frames.draw(t))
+            progress((number + 1) / len(times))
+        encoder.stdin.close()
+    except BrokenPipeError:
+        pass  # ffmpeg has said why
+    finally:
+        plt.close(frames.figure)
+    if encoder.wait() != 0:
+        raise Missing("ffmpeg failed: no movie")
+    return [path]
+
+
+def frame_times(run):
+    """One a second, or 120 of a run shorter than 20 s."""
+    end = run.times[-1]
+    first = run.times[0]
+    interval = 1.0 if end - first >= 20.0 else max((end - first) / 120.0, 1e-9)
+    return first + interval * np.arange(int((end - first) / interval + 1e-6) + 1)
+
+
+class FieldScene:
+    """The field of speed on its moving mesh. Between two outputs mesh and values are interpolated in time."""
+
+    @staticmethod
+    def fits(run, times):
+        dense = run.times.size > 1 and np.median(np.diff(run.times)) <= 2.5 * (times[1] - times[0] if times.size > 1 else 1.0)
+        return dense and run.has("speed", "z_node")
+
+    def __init__(self, run):
+        self.run = run
+        self.kept = {}
+        sample = np.unique(np.linspace(0, run.times.size - 1, 24).round().astype(int))
+        self.top_speed = max(max(top_speed(run.field("speed", k), run.is_film(run.field("height", k))) for k in sample), 1e-12)
+        self.outputs = sample
+
+    def record(self, k):
+        if k not in self.kept:
+            self.kept = {i: v for i, v in self.kept.items() if i >= k - 1}
+            self.kept[k] = tuple(self.run.field(name, k) for name in ("z_node", "speed", "height"))
+        return self.kept[k]
+
+    def artists(self, axes, t):
+        run = self.run
+        k = int(np.clip(np.searchsorted(run.times, t) - 1, 0, max(run.times.size - 2, 0)))
+        after = min(k + 1, run.times.size - 1)
+        weight = np.clip((t - run.times[k]) / max(run.times[after] - run.times[k], 1e-12), 0.0, 1.0)
+        z, speed, height = ((1.0 - weight) * a + weight * b for a, b in zip(self.record(k), self.record(after)))
+        speed = np.ma.masked_invalid(speed)
+        speed[:, run.is_film(height)] = np.ma.masked
+        X, Z = run.to_gravity(np.broadcast_to(run.x_face, z.shape), z)
+        mesh = axes.pcolormesh(X, Z, speed, vmin=0.0, vmax=self.top_speed, antialiased=False)
+        line, = axes.plot(*run.to_gravity(run.x, height), color=look.INK, linewidth=0.8)
+        return [mesh, line]
+
+
+class SurfaceScene:
+    """The surface coloured by its speed, from the dense series, where fields are too far apart."""
+
+    def __init__(self, run):
+        self.run = run
+        self.height = run.series("height_series")
+        self.speed = run.series("surface_speed_series")
+        self.top_speed = max(max(top_speed(u, run.is_film(h)) for u, h in zip(self.speed, self.height)), 1e-12)
+        self.outputs = np.arange(run.times.size)
+
+    def artists(self, axes, t):
+        run = self.run
+        i = int(np.argmin(np.abs(run.series_times - t)))
+        X, Z = run.to_gravity(run.x, self.height[i])
+        Xb, Zb = run.to_gravity(run.x, np.zeros_like(run.x))
+        grains, = axes.fill(np.concatenate([X, Xb[::-1]]), np.concatenate([Z, Zb[::-1]]), color=look.GRAINS, linewidth=0)
+        points = np.stack([X, Z], axis=-1)
+        line = LineCollection(np.stack([points[:-1], points[1:]], axis=1), array=self.speed[i][:-1], linewidths=3.0)
+        line.set_clim(0.0, self.top_speed)
+        axes.add_collection(line, autolim=False)
+        return [grains, line]
+
+
+def top_speed(speed, film):
+    values = speed[..., ~film]
+    values = values[np.isfinite(values)]
+    return float(np.percentile(values, 99.8)) if values.size else 0.0
+
+
+class Frames:
+    """Draws what stays once, then only what moves on a copy of it."""
+
+    def __init__(self, run, scene):
+        self.run, self.scene = run, scene
+        self.figure = plt.figure(figsize=(WIDTH / DPI, HEIGHT / DPI), dpi=DPI)
+        self.heap, self.rate = self.figure.subplots(2, 1, gridspec_kw={"height_ratios": [4.2, 1.0]})
+        X0, X1, Z0, Z1 = run.extent(scene.outputs)
+        look.grid(self.heap)
+        self.heap.plot(*run.base(), color=look.INK, linewidth=2.0)
+        self.heap.set(aspect="equal", xlim=(X0, X1), ylim=(Z0, Z1), xlabel="X, horizontal [m]", ylabel="Z, up [m]")
+        colours = plt.cm.ScalarMappable(plt.Normalize(0.0, scene.top_speed))
+        self.figure.colorbar(colours, ax=self.heap, label="speed [m s$^{-1}$]", extend="max", shrink=0.9)
+        self.figure.suptitle(run.name)
+        self.draw_rates()
+        self.figure.canvas.draw()
+        self.figure.set_layout_engine("none")
+        self.background = self.figure.canvas.copy_from_bbox(self.figure.bbox)
+
+    def draw_rates(self):
+        run, axes = self.run, self.rate
+        look.grid(axes)
+        if run.has("inflow_rate", "outflow_rate_right"):
+            axes.plot(run.series_times, 1e3 * run.series("inflow_rate"), color=look.FAINT, label="in")
+            axes.plot(run.series_times, 1e3 * run.series("outflow_rate_right"), color=look.BLUE, label="out")
+            axes.legend(loc="upper right", ncol=2)
+        axes.set(xlabel="time [s]", ylabel="flow [g s$^{-1}$]", xlim=(run.times[0], max(run.times[-1], run.times[0] + 1e-9)))
+
+    def draw(self, t):
+        """The frame at time t as RGBA bytes."""
+        canvas = self.figure.canvas
+        canvas.restore_region(self.background)
+        moving = [(self.heap, artist) for artist in self.scene.artists(self.heap, t)]
+        moving.append((self.heap, self.heap.text(0.97, 0.95, f"t = {t:.0f} s" if self.run.times[-1] >= 20.0 else f"t = {t:.2f} s",
+                                                 transform=self.heap.transAxes, ha="right", va="top", fontsize=16)))
+        moving.append((self.rate, self.rate.axvline(t, color=look.ACCENT, linewidth=1.5)))
+        for axes, artist in moving:
+            axes.draw_artist(artist)
+        frame = bytes(canvas.buffer_rgba())
+        for _, artist in moving:
+            artist.remove()
+        return frame

@@ -1,0 +1,48 @@
+"""What the integrator did: step size, order, failures, CPU time, and the error of the mass balance."""
+
+import numpy as np
+
+import look
+from look import plt
+
+CPU = (("cpu_residual", "residuals"), ("cpu_jacobian", "Jacobians"), ("cpu_factor", "factorisations"), ("cpu_solve", "solves"))
+COUNTS = (("n_steps", "steps", look.INK), ("n_factorisations", "factorisations", look.BLUE),
+          ("n_error_test_failures", "error-test failures", look.ORANGE), ("n_newton_failures", "Newton failures", look.ACCENT))
+
+
+def draw(run, folder):
+    t = run.series_times
+    figure, panels = plt.subplots(5, 1, figsize=(8.2, 12.0), sharex=True, gridspec_kw={"height_ratios": [3, 2, 3, 3, 3]})
+    size, order, counts, cpu, mass = panels
+
+    step = run.series("last_step")
+    size.semilogy(t, np.where(step > 0.0, step, np.nan), color=look.BLUE, linewidth=1.1)
+    size.set_ylabel("last step [s]")
+    order.step(t, run.series("order"), where="post", color=look.BLUE, linewidth=1.1)
+    order.set(ylabel="order", yticks=range(1, 6), ylim=(0.5, 5.5))
+
+    for name, words, colour in COUNTS:
+        n = run.series(name)
+        counts.plot(t, n, color=colour, label=f"{words}: {n[-1]:.0f}")
+    counts.set_yscale("symlog", linthresh=10.0)
+    counts.set(ylabel="cumulative count")
+    counts.set_ylim(bottom=-0.5)
+    counts.legend(loc="upper left", ncol=2, bbox_to_anchor=(0.0, 1.0))
+    counts.set_ylim(top=30.0 * max(counts.get_ylim()[1], 10.0))
+
+    cpu.stackplot(t, *(run.series(name) for name, _ in CPU), colors=[look.BLUE, look.GREEN, look.ORANGE, look.PURPLE], alpha=0.85,
+                  labels=[f"{words}: {run.series(name)[-1]:.1f} s" for name, words in CPU], linewidth=0)
+    cpu.set_ylabel("CPU time [s]")
+    cpu.legend(loc="upper left", ncol=2)
+    cpu.set_ylim(top=1.35 * max(cpu.get_ylim()[1], 1e-6))
+
+    error = np.abs(run.series("mass_error"))
+    mass.semilogy(t, np.where(error > 0.0, error, np.nan), color=look.BLUE, linewidth=1.1)
+    mass.set(ylabel="|mass error| [kg]", xlabel="time [s]", xlim=(t[0], t[-1]))
+
+    for number, (axes, words) in enumerate(zip(panels, ("step size", "order of the method", "counters", "CPU time by kind of work",
+                                                        "mass balance: in - out - stored"))):
+        look.label(axes, number, words)
+        look.grid(axes)
+    figure.suptitle(f"{run.name}: integrator")
+    return [look.save(figure, folder, "integrator.png")]
