@@ -13,14 +13,20 @@ namespace talus::layer {
 
 namespace {
 
-enum FieldNumber : std::uint8_t { field_u, field_omega, field_p, field_H };
+enum FieldNumber : std::uint8_t { field_u, field_omega, field_p, field_H, field_mass };
+
+Budgets budgets_of(const Parameters& par) {
+  const bool ends = !par.box.periodic;
+  return {par.inflow.rate > 0.0, ends && par.box.left_open, ends};
+}
 
 core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Unknowns& unknowns) {
   core::Layout layout;
   layout.fields = {{"u", "m s-1", core::Kind::differential, par.atol_velocity},
                    {"omega", "m s-1", core::Kind::differential, par.atol_velocity},
                    {"p", "Pa", core::Kind::algebraic, par.atol_pressure},
-                   {"H", "m", core::Kind::differential, par.atol_height}};
+                   {"H", "m", core::Kind::differential, par.atol_height},
+                   {"mass", "kg", core::Kind::differential, par.atol_mass}};
   layout.field_of.assign(unknowns.size(), field_u);
   for (int i = 0; i < c.n_columns; ++i) {
     for (int k = 0; k < c.n_layers; ++k) {
@@ -29,7 +35,17 @@ core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Un
     }
     layout.field_of[unknowns.H(i)] = field_H;
   }
+  for (const Index budget : {unknowns.mass_in(), unknowns.mass_left(), unknowns.mass_right()})
+    if (budget >= 0) layout.field_of[budget] = field_mass;
   return layout;
+}
+
+std::vector<Index> rates_alone(const Kernel& at) {
+  std::vector<Index> rows;
+  for (int i = 0; i < at.columns.n_columns; ++i) rows.push_back(at.unknowns.H(i));
+  for (const Index budget : {at.unknowns.mass_in(), at.unknowns.mass_left(), at.unknowns.mass_right()})
+    if (budget >= 0) rows.push_back(budget);
+  return rows;
 }
 
 /// The equations: continuity and surface, inertia, stress, friction, pressure and weight.
@@ -38,8 +54,11 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at)
   const auto add = [&](auto kernel) { terms.push_back(fv::make_term<Context>(std::move(kernel))); };
   add(FaceFlux{at});
   add(InterfaceFlux{at});
-  add(SurfaceRate{at});
-  if (par.inflow.rate > 0.0) add(JetSource{at});
+  add(Rate{at, rates_alone(at)});
+  if (par.inflow.rate > 0.0) {
+    add(JetSource{at});
+    add(Poured{at});
+  }
   add(Acceleration{at});
   if (par.numerics.advection != Advection::none) {
     add(ConvectionAlong{at});
@@ -59,7 +78,7 @@ Layer::Layer(Parameters parameters)
     : parameters_(std::move(parameters)),
       columns_{parameters_.grid.columns, parameters_.grid.layers, parameters_.box.length, parameters_.box.periodic},
       layering_(parameters_.grid.layers, parameters_.grid.cluster_depth),
-      unknowns_(columns_, !parameters_.box.left_open),
+      unknowns_(columns_, !parameters_.box.left_open, budgets_of(parameters_)),
       layout_(make_layout(parameters_, columns_, unknowns_)) {
   if (columns_.n_columns < 1 || columns_.n_layers < 2) throw std::invalid_argument("layer: needs a column and two layers");
   context_.parameters = &parameters_;
@@ -109,21 +128,23 @@ void Layer::jacobian(double t, std::span<const double> y, std::span<const double
 }
 
 std::string Layer::describe(core::Index row) const {
+  const auto text = [](auto... arguments) {
+    char buffer[128];
+    std::snprintf(buffer, sizeof buffer, arguments...);
+    return std::string(buffer);
+  };
+  if (row == unknowns_.mass_in()) return "mass poured in";
+  if (row == unknowns_.mass_left()) return "mass gone over the left end";
+  if (row == unknowns_.mass_right()) return "mass gone over the right end";
   const core::Index stride = 3 * core::Index{columns_.n_layers} + 1;
-  const int i = static_cast<int>(row / stride);
+  const core::Index in_columns = row - (unknowns_.p(0, 0) - 2);
+  const int i = static_cast<int>(in_columns / stride), in_column = static_cast<int>(in_columns % stride);
   const auto field = layout_.field_of[row];
-  const int in_column = static_cast<int>(row % stride);
   const int k = i == columns_.n_columns ? in_column : in_column / 3;
   const double x = field == field_u ? columns_.x_face(i) : columns_.x_centre(i);
-  char text[128];
-  if (field == field_H) {
-    std::snprintf(text, sizeof text, "H of column %d (x = %.5g m)", i, x);
-  } else {
-    std::snprintf(text, sizeof text, "%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(),
-                  field == field_u ? "face" : "column", i, field == field_omega ? "interface" : "layer",
-                  field == field_omega ? k + 1 : k, columns_.n_layers, x);
-  }
-  return text;
+  if (field == field_H) return text("H of column %d (x = %.5g m)", i, x);
+  return text("%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(), field == field_u ? "face" : "column", i,
+              field == field_omega ? "interface" : "layer", field == field_omega ? k + 1 : k, columns_.n_layers, x);
 }
 
 std::vector<double> Layer::breakpoints() const {

@@ -72,6 +72,7 @@ struct Parameters {
   double atol_velocity = 1e-5;   ///< [m/s]
   double atol_pressure = 0.1;    ///< [Pa]
   double atol_height = 1e-6;     ///< [m]
+  double atol_mass = 1e-5;       ///< of the budgets [kg]
 };
 
 }  // namespace talus::layer

@@ -1,0 +1,137 @@
+#include "linear/condensed_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace talus::linear {
+
+CondensedSolver::CondensedSolver(const SparsePattern& matrix) : CheckedSolver(matrix), number_(matrix.n(), -1) {
+  const Index n = matrix.n();
+  const auto starts = matrix.column_starts();
+  const auto rows = matrix.rows();
+  std::vector<Index> length(n, 0);
+  for (const Index row : rows) ++length[row];
+  std::vector<bool> is_link(n, false);
+  for (Index j = 0; j < n; ++j) is_link[j] = length[j] <= longest_row && matrix.find(j, j) >= 0;
+  // A candidate whose row meets another candidate's column, other than that of the candidate just before it, is no link.
+  Index previous = -1;
+  std::vector<Index> before(n, -1);
+  for (Index j = 0; j < n; ++j)
+    if (is_link[j]) before[j] = std::exchange(previous, j);
+  for (Index j = 0; j < n; ++j)
+    for (Index k = starts[j]; is_link[j] && k < starts[j + 1]; ++k)
+      if (is_link[rows[k]] && rows[k] != j && before[rows[k]] != j) is_link[rows[k]] = false;
+  for (Index j = 0; j < n; ++j) {
+    if (is_link[j]) continue;
+    number_[j] = static_cast<Index>(kept_.size());
+    kept_.push_back(j);
+  }
+
+  std::vector<Index> link_of(n, -1);
+  for (Index j = 0; j < n; ++j) {
+    if (!is_link[j]) continue;
+    link_of[j] = static_cast<Index>(links_.size());
+    links_.push_back({j, matrix.find(j, j), -1, -1, {}, {}});
+    if (before[j] < 0 || !is_link[before[j]]) continue;
+    const Index below = matrix.find(j, before[j]);
+    if (below < 0) continue;
+    links_.back().before = below;
+    links_[link_of[before[j]]].after = below;
+  }
+  for (Index j = 0; j < n; ++j)
+    for (Index k = starts[j]; k < starts[j + 1]; ++k) {
+      const Index i = rows[k];
+      if (is_link[i] && !is_link[j]) links_[link_of[i]].row.push_back({number_[j], k});
+      if (!is_link[i] && is_link[j]) links_[link_of[j]].column.push_back({number_[i], k});
+    }
+
+  // The band after condensation: direct entries, and those through the chains.
+  Index width = 0;
+  for (const Index j : kept_)
+    for (Index k = starts[j]; k < starts[j + 1]; ++k)
+      if (number_[rows[k]] >= 0) width = std::max(width, std::abs(number_[rows[k]] - number_[j]));
+  Index least = n, most = 0;  // kept rows that see this link or one above it
+  for (std::size_t l = links_.size(); l-- > 0;) {
+    const Link& link = links_[l];
+    if (link.after < 0) least = n, most = 0;
+    for (const Entry& e : link.column) least = std::min(least, e.number), most = std::max(most, e.number);
+    if (least > most) continue;
+    for (const Entry& e : link.row) width = std::max({width, std::abs(e.number - least), std::abs(e.number - most)});
+  }
+  band_ = TwoEndedBand(static_cast<Index>(kept_.size()), width);
+  scratch_.resize(kept_.size());
+}
+
+double CondensedSolver::flops_bound() const {
+  const auto w = static_cast<double>(width());
+  return 4.0 * static_cast<double>(n_kept()) * w * w;
+}
+
+void CondensedSolver::factor_anew() {
+  const auto starts = pattern().column_starts();
+  const auto rows = pattern().rows();
+  band_.clear();
+  for (std::size_t j = 0; j < kept_.size(); ++j)
+    for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
+      if (const Index i = number_[rows[k]]; i >= 0) band_.add(i, static_cast<Index>(j), values()[k] * row_scale()[rows[k]]);
+
+  // S = D - C E^-1 B, chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
+  std::fill(scratch_.begin(), scratch_.end(), 0.0);
+  Index least = n_kept(), most = -1;
+  for (std::size_t l = links_.size(); l-- > 0;) {
+    const Link& link = links_[l];
+    if (link.after < 0) {
+      if (most >= least) std::fill(scratch_.begin() + least, scratch_.begin() + most + 1, 0.0);
+      least = n_kept();
+      most = -1;
+    }
+    const double carry = link.after < 0 ? 0.0 : -values()[link.after];
+    const double diagonal = values()[link.diagonal];
+    if (diagonal == 0.0) throw SingularMatrix("a chain row has a vanishing diagonal", link.unknown);
+    for (Index i = least; i <= most; ++i) scratch_[i] *= carry;
+    for (const Entry& e : link.column) {
+      scratch_[e.number] += values()[e.position] * row_scale()[kept_[e.number]];
+      least = std::min(least, e.number);
+      most = std::max(most, e.number);
+    }
+    if (most < least) continue;
+    for (Index i = least; i <= most; ++i) scratch_[i] /= diagonal;
+    const std::span<const double> seen(scratch_.data() + least, static_cast<std::size_t>(most - least + 1));
+    for (const Entry& e : link.row) band_.add_column(e.number, least, -values()[e.position], seen);
+  }
+  band_.factor();
+  record(n_kept() * (3 * width() + 1), flops_bound());
+}
+
+void CondensedSolver::substitute(std::span<double> b) {
+  for (std::size_t k = 0; k < kept_.size(); ++k) scratch_[k] = b[kept_[k]] * row_scale()[kept_[k]];
+  double below = 0.0;
+  for (const Link& link : links_) {  // y = E^-1 b, then b - C y
+    double value = b[link.unknown];
+    if (link.before >= 0) value -= values()[link.before] * below;
+    below = value / values()[link.diagonal];
+    for (const Entry& e : link.column)
+      scratch_[e.number] -= values()[e.position] * row_scale()[kept_[e.number]] * below;
+  }
+  band_.solve(scratch_);
+  below = 0.0;
+  for (const Link& link : links_) {  // E^-1 (b - B x)
+    double value = b[link.unknown];
+    if (link.before >= 0) value -= values()[link.before] * below;
+    for (const Entry& e : link.row) value -= values()[e.position] * scratch_[e.number];
+    below = value / values()[link.diagonal];
+    b[link.unknown] = below;
+  }
+  for (std::size_t k = 0; k < kept_.size(); ++k) b[kept_[k]] = scratch_[k];
+}
+
+std::string CondensedSolver::describe() const {
+  std::ostringstream line;
+  line << "condensed band LU (LAPACK, two-ended): " << links_.size() << " unknowns solved for along chains, " << n_kept()
+       << " left, " << width() << " diagonals on either side, " << memory() / (1 << 20) << " MiB";
+  if (statistics().factorisations > 0) line << ", residual " << statistics().first_residual;
+  return line.str();
+}
+
+}  // namespace talus::linear
