@@ -19,26 +19,37 @@ std::string line(const char* pattern, Arguments... arguments) {
   return std::string(text.data()) + "\n";
 }
 
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
 std::string size_of(const Scene& scene) {
   const Simulation simulation = model(scene.model).build(scene);
   const auto n = static_cast<long long>(simulation.system->layout().size());
   const auto n_nonzeros = static_cast<long long>(simulation.system->pattern().n_nonzeros());
   std::string out = line("model      %s: %s", scene.model.c_str(), model(scene.model).doc.c_str());
-  out += line("grid       %d columns x %d layers = %lld cells; a column is %.3g mm wide", scene.grid.columns, scene.grid.layers,
-              static_cast<long long>(scene.grid.columns) * scene.grid.layers, 1e3 * scene.box.length / scene.grid.columns);
+  out += line("grid       %d columns x %d layers = %lld cells; a column is %.3g mm wide", scene.grid.columns,
+              scene.grid.layers, static_cast<long long>(scene.grid.columns) * scene.grid.layers,
+              1e3 * scene.box.length / scene.grid.columns);
   out += line("size       %lld unknowns, %lld non-zeros of the Jacobian", n, n_nonzeros);
-  out += line("memory     about %.0f MB", expected_memory(static_cast<double>(n), static_cast<double>(n_nonzeros)) / 1e6);
-  out += line("output     %zu records of fields, %zu of series", scene.recording.field_times.size(), scene.recording.series_times.size());
+  out +=
+      line("memory     about %.0f MB", expected_memory(static_cast<double>(n), static_cast<double>(n_nonzeros)) / 1e6);
+  out += line("output     %zu records of fields, %zu of series", scene.recording.field_times.size(),
+              scene.recording.series_times.size());
   return out;
 }
 
 std::string steady_of(const Theory& theory) {
   if (!theory.steady) return theory.reason.empty() ? "" : line("steady     %s", theory.reason.c_str());
   const auto& s = *theory.steady;
-  std::string out = line("steady     %s of slope %.4f degrees, flow %.6g kg/s (exact, for u_c -> 0)", s.heap ? "a heap" : "a layer over the base",
-                         s.flow.zeta() * 180.0 / std::numbers::pi, s.flow.flux());
-  out += line("           surface speed %.4g m/s; flowing layer %.2f mm deep (down to 1 %% of that speed), thickest column %.1f mm",
-              s.flow.surface_speed(), 1e3 * s.depth, 1e3 * s.thickness);
+  std::string out = line("steady     %s of slope %.4f degrees, flow %.6g kg/s (exact, for u_c -> 0)",
+                         s.heap ? "a heap" : "a layer over the base", degrees(s.flow.zeta()), s.flow.flux());
+  out += line(
+      "           surface speed %.4g m/s; flowing layer %.2f mm deep (down to 1 %% of that speed), thickest column "
+      "%.1f mm",
+      s.flow.surface_speed(), 1e3 * s.depth, 1e3 * s.thickness);
+  if (s.regularised_slope) {
+    out +=
+        line("           slope %.2f degrees with this scene's u_c and regularisations", degrees(*s.regularised_slope));
+  }
   out += line("resolution %.1f layers within the flowing layer", s.layers);
   return out;
 }
@@ -46,7 +57,7 @@ std::string steady_of(const Theory& theory) {
 }  // namespace
 
 double expected_memory(double n, double n_nonzeros) {
-  // Base of the process and libraries; vectors; two copies of the matrix; factors. 16 bytes an entry of a sparse matrix.
+  // Process and libraries; vectors; two copies of the matrix; factors. 16 bytes an entry of a sparse matrix.
   constexpr double base = 40e6, vectors_per_unknown = 30.0 * 8.0, fill_over_nonzeros = 6.0;
   return base + n * vectors_per_unknown + 16.0 * n_nonzeros * (2.0 + fill_over_nonzeros);
 }

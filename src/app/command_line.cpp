@@ -27,15 +27,18 @@ std::string joined(int argc, const char* const* argv) {
 
 void add_scene(CLI::App& command, RunRequest& request) {
   command.add_option("scene", request.scene_file, "scene file (TOML)")->required()->type_name("SCENE.toml");
-  command.add_option("--set", request.overrides, "replace a value of the scene; may be repeated")->type_name("KEY=VALUE")->allow_extra_args(false);
+  command.add_option("--set", request.overrides, "replace a value of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
 }
 
 int act(int argc, const char* const* argv) {
   CLI::App program("Talus: dense granular flow, from a scene file to a netCDF file.");
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text());
-  program.footer("Exit codes: 0 done, 1 internal error, 2 command line or scene, 3 output folder, 5 writing failed, 6 solver,\n"
-                 "7 folder in use, 8 memory, 128 + signal stopped by SIGINT or SIGTERM.");
+  program.footer(
+      "Exit codes: 0 done, 1 internal error, 2 command line or scene, 3 output folder, 5 writing failed, 6 solver,\n"
+      "7 folder in use, 8 memory, 128 + signal stopped by SIGINT or SIGTERM.");
 
   int code = 0;
   RunRequest request;

@@ -5,8 +5,8 @@
 
 namespace talus::app {
 
-/// The exact steady profile that a run is to be compared with, written once: speed and inertial number against depth below the
-/// surface. Offers nothing where theory knows no steady state.
+/// The exact steady profile that a run is to be compared with, written once: speed and inertial number against depth
+/// below the surface. Offers nothing where theory knows no steady state.
 class ExactProfile : public core::FieldSource {
  public:
   explicit ExactProfile(const Theory& theory);
@@ -16,7 +16,8 @@ class ExactProfile : public core::FieldSource {
   void evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) override;
 
  private:
-  std::vector<std::vector<double>> values_;  ///< depth, speed, inertial number, shape (n_points) each; empty without a steady state
+  std::vector<std::vector<double>>
+      values_;  ///< depth, speed, inertial number, shape (n_points) each; empty without a steady state
 };
 
 }  // namespace talus::app

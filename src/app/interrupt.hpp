@@ -4,8 +4,8 @@
 
 namespace talus::app {
 
-/// While alive, SIGINT and SIGTERM ask for a clean stop after the current step. A second signal of the same kind ends the
-/// program at once. At most one object at a time.
+/// While alive, SIGINT and SIGTERM ask for a clean stop after the current step. A second signal of the same kind ends
+/// the program at once. At most one object at a time.
 class Interrupt {
  public:
   Interrupt();

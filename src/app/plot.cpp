@@ -15,15 +15,20 @@
 namespace talus::app {
 
 int plot(const std::filesystem::path& folder, bool movie) {
-  if (!std::filesystem::exists(folder / "run.nc")) throw core::ConfigError(folder.string() + ": holds no run (no run.nc)");
-  std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string(), film = "--movie";
+  if (!std::filesystem::exists(folder / "run.nc"))
+    throw core::ConfigError(folder.string() + ": holds no run (no run.nc)");
+  std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string(),
+              film = "--movie";
   std::array<char*, 5> arguments{python.data(), program.data(), where.data(), movie ? film.data() : nullptr, nullptr};
   pid_t child = 0;
   const int failed = posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
-  if (failed != 0) throw core::OutputError(core::ExitCode::io_setup, "python3 cannot be started: " + std::string(std::strerror(failed)));
+  if (failed != 0)
+    throw core::OutputError(core::ExitCode::io_setup,
+                            "python3 cannot be started: " + std::string(std::strerror(failed)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw core::OutputError(core::ExitCode::io_setup, "waiting for python3: " + std::string(std::strerror(errno)));
+    if (errno != EINTR)
+      throw core::OutputError(core::ExitCode::io_setup, "waiting for python3: " + std::string(std::strerror(errno)));
   }
   if (!WIFEXITED(status)) throw core::OutputError(core::ExitCode::io_setup, "python3 was ended by a signal");
   return WEXITSTATUS(status);

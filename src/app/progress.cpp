@@ -28,9 +28,9 @@ void Progress::show(const core::Snapshot& snapshot) {
   const double fraction = snapshot.t / end_, wall = seconds(now - begin_);
   const std::string left = fraction > 0.0 ? duration(wall * (1.0 - fraction) / fraction) : "unknown";
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "t = %.3f of %g s, step %.2e s, order %d, %lld steps, left about %s", snapshot.t, end_,
-                snapshot.statistics.last_step, snapshot.statistics.order, static_cast<long long>(snapshot.statistics.steps),
-                left.c_str());
+  std::snprintf(text.data(), text.size(), "t = %.3f of %g s, step %.2e s, order %d, %lld steps, left about %s",
+                snapshot.t, end_, snapshot.statistics.last_step, snapshot.statistics.order,
+                static_cast<long long>(snapshot.statistics.steps), left.c_str());
   if (terminal_) {
     std::fprintf(stream_, "\r%s %s\033[K", bar(fraction, bar_width).c_str(), text.data());
   } else {
@@ -46,7 +46,8 @@ void Progress::finish() {
 
 std::string bar(double fraction, int width) {
   const int full = std::clamp(static_cast<int>(fraction * width), 0, width);
-  return "[" + std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(width - full), '.') + "]";
+  return "[" + std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(width - full), '.') + "]";
 }
 
 std::string duration(double seconds) {

@@ -27,11 +27,12 @@ Recorder::Recorder(const Scene& scene, const Theory& theory, core::FieldSource& 
                    const std::string& command, Summary& summary)
     : recording_(scene.recording),
       summary_(summary),
-      fields_(model, scene.recording.fields ? Selection::fields : Selection::surface),
+      model_(model),
+      fields_(model_, scene.recording.fields ? Selection::fields : Selection::surface),
       exact_(theory),
       fields_and_exact_({fields_, exact_}),
-      numbers_(model, Selection::numbers),
-      lines_(model, Selection::series),
+      numbers_(model_, Selection::numbers),
+      lines_(model_, Selection::series),
       series_({lines_, statistics_}),
       file_(folder.data(), fields_and_exact_, attributes_of(scene, command)),
       series_stream_(file_.add_stream("series_time", series_)) {}

@@ -12,13 +12,13 @@
 
 namespace talus::app {
 
-/// Writes a run's records: fields along `time`; surface lines, single numbers and statistics along `series_time`. The numbers also
-/// go to the summary.
+/// Writes a run's records: fields along `time`; surface lines, single numbers and statistics along `series_time`. The
+/// numbers also go to the summary.
 class Recorder {
  public:
   /// Creates run.nc. All arguments must outlive this. Throws core::OutputError.
-  Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder, const std::string& command,
-           Summary& summary);
+  Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder,
+           const std::string& command, Summary& summary);
 
   /// Records at a series time; fields too if it is one of their times. Throws core::OutputError(output_failed).
   void at_output(const core::Snapshot& snapshot);
@@ -32,6 +32,7 @@ class Recorder {
 
   const Recording& recording_;
   Summary& summary_;
+  EvaluatedFields model_;
   SelectedFields fields_;
   ExactProfile exact_;
   output::CombinedFields fields_and_exact_;

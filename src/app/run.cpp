@@ -38,12 +38,11 @@ class Watch : public core::Observer {
 /// A log of its own, flushed at every line, so that a killed run leaves all of it.
 std::shared_ptr<spdlog::logger> make_log(const std::filesystem::path& file) {
   try {
-    auto log = std::make_shared<spdlog::logger>("run", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true));
+    auto log = std::make_shared<spdlog::logger>(
+        "run", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true));
     log->flush_on(spdlog::level::info);
     return log;
-  } catch (const spdlog::spdlog_ex& error) {
-    throw core::OutputError(core::ExitCode::io_setup, error.what());
-  }
+  } catch (const spdlog::spdlog_ex& error) { throw core::OutputError(core::ExitCode::io_setup, error.what()); }
 }
 
 /// True if it came to the end, false if it was asked to stop.
@@ -64,8 +63,8 @@ bool integrate(const Scene& scene, core::Integrator& integrator, const Simulatio
     }
     const auto now = integrator.current();
     recorder.at_output(now);
-    log.info("t = {:.6g} s: {} steps, {} Newton and {} error test failures, {} factorisations, order {}, step {:.3g} s", now.t,
-             now.statistics.steps, now.statistics.newton_failures, now.statistics.error_test_failures,
+    log.info("t = {:.6g} s: {} steps, {} Newton and {} error test failures, {} factorisations, order {}, step {:.3g} s",
+             now.t, now.statistics.steps, now.statistics.newton_failures, now.statistics.error_test_failures,
              now.statistics.factorisations, now.statistics.order, now.statistics.last_step);
   }
   progress.finish();
@@ -76,20 +75,17 @@ bool integrate(const Scene& scene, core::Integrator& integrator, const Simulatio
 void record_last_state(core::Integrator& integrator, Recorder& recorder, spdlog::logger& log) {
   try {
     recorder.at_end(integrator.current());
-  } catch (const std::exception& error) {
-    log.warn("the last state could not be recorded: {}", error.what());
-  }
+  } catch (const std::exception& error) { log.warn("the last state could not be recorded: {}", error.what()); }
 }
 
 void write_failure(Summary& summary, const RunFolder& folder, const std::exception& error, spdlog::logger& log) {
   try {
     summary.write(folder.summary(), "failed", exit_code_of(error), error.what());
-  } catch (const core::OutputError& second) {
-    log.error("{}", second.what());
-  }
+  } catch (const core::OutputError& second) { log.error("{}", second.what()); }
 }
 
-int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder, const RunRequest& request, Summary& summary, spdlog::logger& log) {
+int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder, const RunRequest& request,
+              Summary& summary, spdlog::logger& log) {
   const Interrupt interrupt;
   const Simulation simulation = model(scene.model).build(scene);
   Recorder recorder(scene, theory, *simulation.fields, folder, request.command, summary);
@@ -110,8 +106,8 @@ int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder,
   const std::string reason = finished ? "" : "stopped by signal " + std::to_string(interrupt.signal());
   summary.write(folder.summary(), finished ? "finished" : "stopped", code, reason);
   log.info("{}", finished ? "finished" : reason);
-  std::printf("%s: %s at t = %g s; results in %s\n", scene.name.c_str(), finished ? "finished" : reason.c_str(), integrator.current().t,
-              folder.path().c_str());
+  std::printf("%s: %s at t = %g s; results in %s\n", scene.name.c_str(), finished ? "finished" : reason.c_str(),
+              integrator.current().t, folder.path().c_str());
   return code;
 }
 

@@ -42,7 +42,8 @@ RunFolder::RunFolder(std::filesystem::path path, bool force) : path_(std::move(p
   for (const auto& file : files) {
     if (!force && std::filesystem::exists(file)) {
       close(handle_);
-      refuse(path_, "holds a run already (" + file.filename().string() + "); --force replaces it, --out names another folder");
+      refuse(path_,
+             "holds a run already (" + file.filename().string() + "); --force replaces it, --out names another folder");
     }
   }
   for (const auto& file : files) {

@@ -7,8 +7,8 @@ namespace talus::app {
 /// The folder of one run, created and held against other runs while this object lives.
 class RunFolder {
  public:
-  /// Throws core::OutputError(io_setup) for a folder that cannot be made or written to, or that holds a run already and `force`
-  /// is false; core::Error(locked) where another run is writing to it. With `force` the old run's files are removed.
+  /// Throws core::OutputError(io_setup) for a folder that cannot be made or written to, or that holds a run already and
+  /// `force` is false; core::Error(locked) where another run is writing to it. With `force` the old run's files go.
   RunFolder(std::filesystem::path path, bool force);
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;

@@ -31,7 +31,7 @@ rheology::Law law_of(const Values& v) {
   return rheology::partially_regularised(base, v.number("rheology.mu_inf"), v.number("rheology.alpha"), I_N);
 }
 
-/// `times`, the multiples of `interval`, 0 and `end`, ascending; a multiple within rounding of a listed time is that time.
+/// `times`, multiples of `interval`, 0 and `end`, ascending; a multiple within rounding of a listed time is that time.
 std::vector<double> record_times(std::vector<double> times, std::optional<double> interval, double end) {
   times.insert(times.end(), {0.0, end});
   std::ranges::sort(times);
@@ -129,9 +129,7 @@ Scene scene_of(const Values& v) {
   check_together(scene, v, problems);
   try {
     scene.law = law_of(v);
-  } catch (const std::invalid_argument& error) {
-    problems.add(v.place("rheology.law"), "rheology.law", error.what());
-  }
+  } catch (const std::invalid_argument& error) { problems.add(v.place("rheology.law"), "rheology.law", error.what()); }
   problems.throw_if_any();
   scene.recording = recording_of(v, scene.end);
   scene.effective = v.to_toml();

@@ -13,14 +13,14 @@ namespace talus::app {
 
 /// How the scene is to be integrated; the integrator's own settings are made from it.
 struct Integration {
-  double rtol;               ///< [1]
-  double atol_velocity;      ///< [m/s]
-  double atol_pressure;      ///< [Pa]
-  double atol_height;        ///< [m]
-  int max_order;             ///< 1..5
+  double rtol;           ///< [1]
+  double atol_velocity;  ///< [m/s]
+  double atol_pressure;  ///< [Pa]
+  double atol_height;    ///< [m]
+  int max_order;         ///< 1..5
   linear::Choice linear_solver;
   ida::Newton newton;
-  double max_step;           ///< [s]; 0: no limit
+  double max_step;  ///< [s]; 0: no limit
 };
 
 /// When results are recorded; every record is exactly at its time [s].
@@ -47,15 +47,15 @@ struct Scene {
   double initial_thickness;  ///< [m]
   layer::Grid grid;
   Integration integration;
-  double end;                ///< [s]
+  double end;  ///< [s]
   Recording recording;
-  std::string effective;     ///< the scene as TOML, overrides applied and defaults filled in
+  std::string effective;  ///< the scene as TOML, overrides applied and defaults filled in
 };
 
 /// Every key of a scene file.
 const config::Schema& scene_schema();
 
-/// Reads and checks a scene. Throws core::ConfigError; see config::read. Checks that need several keys name the place of one.
+/// Reads and checks a scene. Throws core::ConfigError, see config::read. A check of several keys names one's place.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 /// As `read_scene`, from text; `name` stands for the file in messages.
 Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides = {});

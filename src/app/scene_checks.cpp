@@ -32,7 +32,8 @@ class CrossChecks {
   void viscosity(const Scene& scene) {
     const auto& reg = scene.regularisation;
     if (reg.cap == rheology::Cap::none && reg.rate_floor == 0.0 && reg.rate_speed == 0.0) {
-      refuse("rheology.cap", "without a cap the viscosity needs a floor: rheology.rate_floor or rheology.rate_speed above 0");
+      refuse("rheology.cap",
+             "without a cap the viscosity needs a floor: rheology.rate_floor or rheology.rate_speed above 0");
     }
   }
 
@@ -41,10 +42,12 @@ class CrossChecks {
     const double L = scene.box.length, reach = 3.0 * scene.inflow.width;
     if (scene.box.periodic) refuse("inflow.rate", "a periodic box takes no inflow; expected 0 kg/s");
     if (scene.inflow.position < 0.0 || scene.inflow.position > L) {
-      refuse("inflow.position", "the inlet is outside the box; expected a number from 0 to box.length = " + in_metres(L));
+      refuse("inflow.position",
+             "the inlet is outside the box; expected a number from 0 to box.length = " + in_metres(L));
     } else if (landing(scene) - reach < 0.0 || landing(scene) + reach > L) {
-      refuse("inflow.position", "the jet meets the base at x = " + in_metres(landing(scene)) + " and its footprint, 3 inflow.width = " +
-                                    in_metres(reach) + " to either side, leaves the box of length " + in_metres(L));
+      refuse("inflow.position", "the jet meets the base at x = " + in_metres(landing(scene)) +
+                                    " and its footprint, 3 inflow.width = " + in_metres(reach) +
+                                    " to either side, leaves the box of length " + in_metres(L));
     }
     if (scene.inflow.stop <= scene.inflow.start) refuse("inflow.stop", "expected a time after inflow.start [s]");
   }
@@ -52,7 +55,8 @@ class CrossChecks {
   void heights(const Scene& scene) {
     const double film = scene.numerics.film, H = scene.initial_thickness;
     if (H < film) refuse("model.initial_thickness", "expected at least model.film = " + in_metres(film));
-    if (H >= scene.box.height) refuse("model.initial_thickness", "expected below box.height = " + in_metres(scene.box.height));
+    if (H >= scene.box.height)
+      refuse("model.initial_thickness", "expected below box.height = " + in_metres(scene.box.height));
     if (film >= scene.box.height) refuse("model.film", "expected below box.height = " + in_metres(scene.box.height));
   }
 
@@ -61,16 +65,19 @@ class CrossChecks {
     const double end = scene.end;
     const auto& listed = v_.numbers("output.times");
     if (!listed.empty() && listed.back() > end) {
-      refuse("output.times", "expected times up to time.end = " + config::to_toml(end) + " s, found " + config::to_toml(listed.back()));
+      refuse("output.times",
+             "expected times up to time.end = " + config::to_toml(end) + " s, found " + config::to_toml(listed.back()));
     }
     for (const char* key : {"output.interval", "output.series_interval"}) {
-      if (v_.has(key) && end / v_.number(key) > most) refuse(key, "would make more than a million records; expected a longer interval [s]");
+      if (v_.has(key) && end / v_.number(key) > most)
+        refuse(key, "would make more than a million records; expected a longer interval [s]");
     }
   }
 
   void name(const std::string& name) {
     const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_'; };
-    if (name.empty() || !std::ranges::all_of(name, fits)) refuse("scene.name", "expected letters, digits, - and _ only");
+    if (name.empty() || !std::ranges::all_of(name, fits))
+      refuse("scene.name", "expected letters, digits, - and _ only");
   }
 
  private:

@@ -19,13 +19,16 @@ void experiment(Schema& s) {
   s.section("box", "the box between two side walls; x runs down the base from the left end, z normal to it");
   s.add(number("length", "m", "along the base").above(0.0));
   s.add(number("height", "m", "normal to the base; the inlet lies there").above(0.0));
-  s.add(number("tilt", "degree", "of the base against the horizontal, positive down to the right").above(-90.0).below(90.0));
+  s.add(number("tilt", "degree", "of the base against the horizontal, positive down to the right")
+            .above(-90.0)
+            .below(90.0));
   s.add(number("gap", "m", "between the side walls, W").above(0.0));
   s.add(number("gravity", "m/s2", "acceleration of gravity, g").above(0.0));
   s.add(boolean("periodic", "the right end continues at the left end").fallback(false));
   s.add(choice("left", words::of(words::left_ends), "the left end: grains may leave, or a wall; the right end is open")
             .fallback(std::string("open")));
-  s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x").fallback(0.0));
+  s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x")
+            .fallback(0.0));
 
   s.section("grains", "the material");
   s.add(number("rho_star", "kg/m3", "intrinsic density of the grains").above(0.0));
@@ -39,8 +42,11 @@ void experiment(Schema& s) {
   s.section("inflow", "grains poured from the inlet");
   const auto pours = [](const Values& v) { return v.number("inflow.rate") > 0.0; };
   s.add(number("rate", "kg/s", "mass flow Q; 0: none").at_least(0.0).fallback(0.0));
-  s.add(number("position", "m", "x of the inlet's centre, at z = box.height").required_if("inflow.rate is above 0", pours));
-  s.add(number("width", "m", "standard deviation of the jet's footprint along x").above(0.0).required_if("inflow.rate is above 0", pours));
+  s.add(number("position", "m", "x of the inlet's centre, at z = box.height")
+            .required_if("inflow.rate is above 0", pours));
+  s.add(number("width", "m", "standard deviation of the jet's footprint along x")
+            .above(0.0)
+            .required_if("inflow.rate is above 0", pours));
   s.add(number("start", "s", "time at which the inlet opens").at_least(0.0).fallback(0.0));
   s.add(number("stop", "s", "time at which the inlet begins to close").above(0.0).optional("it stays open"));
   s.add(number("ramp", "s", "duration of the smooth ramp that follows start and stop").above(0.0).fallback(0.2));
@@ -49,60 +55,87 @@ void experiment(Schema& s) {
 
 void rheology_of(Schema& s) {
   const auto law_is = [](std::vector<std::string> laws) {
-    return [laws = std::move(laws)](const Values& v) { return std::ranges::find(laws, v.text("rheology.law")) != laws.end(); };
+    return [laws = std::move(laws)](const Values& v) {
+      return std::ranges::find(laws, v.text("rheology.law")) != laws.end();
+    };
   };
   const auto mu_of_I = law_is({"classical", "partially_regularised"});
   const auto partial = law_is({"partially_regularised"});
   s.section("rheology", "the friction law mu(I), (1.3), (3.19), and its named regularisations");
   s.add(choice("law", {"classical", "partially_regularised", "constant"}, "friction law"));
   s.add(number("mu_s", "1", "friction at rest of (1.3); the friction of the constant law").above(0.0));
-  s.add(number("mu_d", "1", "friction at large I of (1.3)").above(0.0).required_if("rheology.law is not constant", mu_of_I));
+  s.add(number("mu_d", "1", "friction at large I of (1.3)")
+            .above(0.0)
+            .required_if("rheology.law is not constant", mu_of_I));
   s.add(number("I_0", "1", "scale of I in (1.3)").above(0.0).required_if("rheology.law is not constant", mu_of_I));
-  s.add(number("mu_inf", "1", "slope of mu at large I, (3.19)").at_least(0.0).required_if("rheology.law is partially_regularised", partial));
-  s.add(number("alpha", "1", "creep coefficient of (3.19)").above(0.0).required_if("rheology.law is partially_regularised", partial));
-  s.add(number("I_N", "1", "where creep ends, (3.19)").above(0.0).optional("the lower neutral point of the classical law"));
+  s.add(number("mu_inf", "1", "slope of mu at large I, (3.19)")
+            .at_least(0.0)
+            .required_if("rheology.law is partially_regularised", partial));
+  s.add(number("alpha", "1", "creep coefficient of (3.19)")
+            .above(0.0)
+            .required_if("rheology.law is partially_regularised", partial));
+  s.add(number("I_N", "1", "where creep ends, (3.19)")
+            .above(0.0)
+            .optional("the lower neutral point of the classical law"));
   s.add(number("p_0", "Pa", "smoothing of the positive part of the pressure; 0: none").at_least(0.0).fallback(0.1));
   s.add(number("rate_floor", "1/s", "constant floor under the strain rate D_norm").at_least(0.0).fallback(0.0));
   s.add(number("rate_speed", "m/s", "u_r of the floor u_r/H under D_norm").at_least(0.0).fallback(1e-2));
-  s.add(choice("cap", words::of(words::caps), "how the viscosity is kept below eta_max").fallback(std::string("smooth")));
+  s.add(
+      choice("cap", words::of(words::caps), "how the viscosity is kept below eta_max").fallback(std::string("smooth")));
   s.add(number("eta_max", "Pa s", "cap of the viscosity").above(0.0).fallback(1e4));
 }
 
 void numerics(Schema& s) {
   s.section("model", "which rung of the ladder computes the scene, and its switches");
   s.add(choice("name", model_names(), "model; `talus list` tells them apart"));
-  s.add(number("initial_thickness", "m", "thickness of the layer at rest at the start").above(0.0).optional("model.film"));
+  s.add(number("initial_thickness", "m", "thickness of the layer at rest at the start")
+            .above(0.0)
+            .optional("model.film"));
   s.add(choice("advection", words::of(words::advections), "inertia carried along: none, first-order upwind, or linear")
             .fallback(std::string("upwind")));
-  s.add(number("film", "m", "thickness of the immobile film on the base; its mass is in the budget").above(0.0).fallback(5e-4));
-  s.add(number("film_blend", "1", "flux is taken from the giving column up to this many films above the film").above(0.0).fallback(4.0));
+  s.add(number("film", "m", "thickness of the immobile film on the base; its mass is in the budget")
+            .above(0.0)
+            .fallback(5e-4));
+  s.add(number("film_blend", "1", "flux is taken from the giving column up to this many films above the film")
+            .above(0.0)
+            .fallback(4.0));
   s.add(number("film_speed", "m/s", "speed at which the giving column changes sides").above(0.0).fallback(1e-5));
-  s.add(number("surface_filter", "1", "coefficient of the fourth-difference mass flux that damps a sawtooth of the surface")
-            .at_least(0.0).at_most(0.125).fallback(0.0));
+  s.add(number("surface_filter", "1",
+               "coefficient of the fourth-difference mass flux that damps a sawtooth of the surface")
+            .at_least(0.0)
+            .at_most(0.125)
+            .fallback(0.0));
 
   s.section("grid", "cells");
   s.add(integer("columns", "along the base").at_least(1).at_most(20000));
   s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
-  s.add(number("cluster_depth", "m", "layers are uniform where the heap is much thinner, clustered at the surface where much deeper")
-            .above(0.0).fallback(3e-3));
+  s.add(number("cluster_depth", "m",
+               "layers are uniform where the heap is much thinner, clustered at the surface where much deeper")
+            .above(0.0)
+            .fallback(3e-3));
 
   s.section("integrator", "IDA");
   s.add(number("rtol", "1", "relative tolerance of a step").above(0.0).below(1.0).fallback(1e-4));
   s.add(number("atol_velocity", "m/s", "absolute tolerance").above(0.0).fallback(1e-5));
   s.add(number("atol_pressure", "Pa", "absolute tolerance").above(0.0).fallback(0.1));
   s.add(number("atol_height", "m", "absolute tolerance").above(0.0).fallback(1e-6));
-  s.add(integer("max_order", "of the backward differentiation formula").at_least(1).at_most(5).fallback(std::int64_t{5}));
-  s.add(choice("linear_solver", words::of(words::linear_solvers), "for the Jacobian; automatic takes the fastest on the first one")
+  s.add(
+      integer("max_order", "of the backward differentiation formula").at_least(1).at_most(5).fallback(std::int64_t{5}));
+  s.add(choice("linear_solver", words::of(words::linear_solvers),
+               "for the Jacobian; automatic takes the fastest on the first one")
             .fallback(std::string("automatic")));
-  s.add(choice("newton", words::of(words::newtons), "damped: our full Newton iteration; stock: IDA's own, for comparison")
-            .fallback(std::string("damped")));
+  s.add(
+      choice("newton", words::of(words::newtons), "damped: our full Newton iteration; stock: IDA's own, for comparison")
+          .fallback(std::string("damped")));
   s.add(number("max_step", "s", "longest step").above(0.0).optional("no limit"));
 
   s.section("time", "duration");
   s.add(number("end", "s", "when the run ends; it starts at 0").above(0.0));
 
   s.section("output", "what is recorded; the start and the end always are");
-  s.add(ascending_numbers("times", "s", "of field records, also reported in summary.json").at_least(0.0).fallback(std::vector<double>{}));
+  s.add(ascending_numbers("times", "s", "of field records, also reported in summary.json")
+            .at_least(0.0)
+            .fallback(std::vector<double>{}));
   s.add(number("interval", "s", "further field records at its multiples").above(0.0).optional("none"));
   s.add(boolean("fields", "record the two-dimensional fields; without them only surface and series").fallback(true));
   s.add(number("series_interval", "s", "budgets, angles and statistics at its multiples").above(0.0).fallback(1.0));

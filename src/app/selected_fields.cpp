@@ -18,8 +18,15 @@ bool wanted(const core::Variable& v, Selection selection) {
 
 }  // namespace
 
-SelectedFields::SelectedFields(core::FieldSource& source, Selection selection) : source_(source) {
-  const auto all = source.variables();
+const std::vector<std::vector<double>>& EvaluatedFields::at(const core::Snapshot& snapshot) {
+  if (empty_ || snapshot.t != t_) source_.evaluate(snapshot, values_);
+  empty_ = false;
+  t_ = snapshot.t;
+  return values_;
+}
+
+SelectedFields::SelectedFields(EvaluatedFields& evaluated, Selection selection) : evaluated_(evaluated) {
+  const auto all = evaluated.source().variables();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!wanted(all[i], selection)) continue;
     variables_.push_back(all[i]);
@@ -29,7 +36,7 @@ SelectedFields::SelectedFields(core::FieldSource& source, Selection selection) :
 }
 
 std::vector<std::pair<std::string, std::size_t>> SelectedFields::dimensions() const {
-  auto used = source_.dimensions();
+  auto used = evaluated_.source().dimensions();
   std::erase_if(used, [&](const auto& dimension) {
     return std::ranges::none_of(variables_, [&](const auto& v) {
       return std::ranges::find(v.dimensions, dimension.first) != v.dimensions.end();
@@ -39,9 +46,9 @@ std::vector<std::pair<std::string, std::size_t>> SelectedFields::dimensions() co
 }
 
 void SelectedFields::evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) {
-  source_.evaluate(snapshot, all_);
+  const auto& all = evaluated_.at(snapshot);
   values.resize(chosen_.size());
-  for (std::size_t i = 0; i < chosen_.size(); ++i) values[i].swap(all_[chosen_[i]]);
+  for (std::size_t i = 0; i < chosen_.size(); ++i) values[i] = all[chosen_[i]];
 }
 
 }  // namespace talus::app

@@ -6,25 +6,41 @@
 
 namespace talus::app {
 
-/// `fields`: what has a place, and what is written once; `surface`: of these, what has at most one dimension; `series`: what changes
-/// in time and has at most one dimension, lines under their name with "_series" behind; `numbers`: single numbers that change in time.
+/// A model's variables, evaluated once a time for all who select from them.
+class EvaluatedFields {
+ public:
+  /// `source` must outlive this object.
+  explicit EvaluatedFields(core::FieldSource& source) : source_(source) {}
+  [[nodiscard]] const core::FieldSource& source() const { return source_; }
+  /// values[i] of the source's variables()[i]; evaluated anew where the snapshot's time differs from the last one's.
+  const std::vector<std::vector<double>>& at(const core::Snapshot& snapshot);
+
+ private:
+  core::FieldSource& source_;
+  std::vector<std::vector<double>> values_;
+  double t_ = 0.0;
+  bool empty_ = true;
+};
+
+/// `fields`: what has a place, and what is written once; `surface`: of these, what has at most one dimension; `series`:
+/// what changes in time and has at most one dimension, lines under their name with "_series" behind; `numbers`: single
+/// numbers that change in time.
 enum class Selection { fields, surface, series, numbers };
 
 /// The part of a source's variables that a recording wants. Fields are recorded seldom, series often.
 class SelectedFields : public core::FieldSource {
  public:
-  /// `source` must outlive this object.
-  SelectedFields(core::FieldSource& source, Selection selection);
+  /// `evaluated` must outlive this object.
+  SelectedFields(EvaluatedFields& evaluated, Selection selection);
 
   [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> dimensions() const override;
   [[nodiscard]] std::vector<core::Variable> variables() const override { return variables_; }
   void evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) override;
 
  private:
-  core::FieldSource& source_;
+  EvaluatedFields& evaluated_;
   std::vector<core::Variable> variables_;
   std::vector<std::size_t> chosen_;  ///< positions in the source
-  std::vector<std::vector<double>> all_;
 };
 
 }  // namespace talus::app

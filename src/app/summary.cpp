@@ -58,7 +58,8 @@ void Summary::record(const core::Snapshot& snapshot, const std::vector<core::Var
   json_["final"] = std::move(now);
 }
 
-void Summary::write(const std::filesystem::path& path, const std::string& status, int exit_code, const std::string& reason) {
+void Summary::write(const std::filesystem::path& path, const std::string& status, int exit_code,
+                    const std::string& reason) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   json_["status"] = status;

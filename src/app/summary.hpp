@@ -17,8 +17,8 @@ class Summary {
   Summary(const Scene& scene, const std::vector<std::string>& warnings);
 
   void integrator(const std::string& description) { json_["integrator"] = description; }
-  /// Remembers the integrator's counters and the model's single numbers, `values[i]` of `variables[i]`: those of a listed output time
-  /// are kept under "records", the latest under "final".
+  /// Remembers the integrator's counters and the model's single numbers, `values[i]` of `variables[i]`: those of a
+  /// listed output time are kept under "records", the latest under "final".
   void record(const core::Snapshot& snapshot, const std::vector<core::Variable>& variables,
               const std::vector<std::vector<double>>& values, bool listed);
   /// `status` is finished, stopped or failed; `reason` says why, empty if it finished. Put in place in one piece.

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "grid/layering.hpp"
+#include "steady/regularised_profile.hpp"
 
 namespace talus::app {
 namespace {
@@ -29,14 +30,27 @@ steady::Channel channel_of(const Scene& s) {
 double base_angle(const Scene& s) { return s.box.tilt - std::atan(s.box.base_slope); }
 
 Theory::Steady describe(const UniformFlow& flow, bool heap, double thickness) {
-  return {.flow = flow, .heap = heap, .depth = flow.depth_at_share(share_at_depth), .thickness = thickness, .layers = 0.0};
+  return {.flow = flow,
+          .heap = heap,
+          .depth = flow.depth_at_share(share_at_depth),
+          .thickness = thickness,
+          .layers = 0.0,
+          .regularised_slope = std::nullopt};
 }
 
-/// Thickness [m] of a heap where the jet meets it, with its toe at the right end: the jet's line cut with the surface's.
+/// Thickness [m] of a heap where the jet meets it, its toe at the right end: the jet's line cut with the surface's.
 double heap_thickness(const Scene& s, double slope) {
   const double rise = std::tan(slope - s.box.tilt);
   const double drift = s.inflow.along_gravity ? std::tan(s.box.tilt) : 0.0;
   return (s.box.length - s.inflow.position - drift * s.box.height) * rise / (1.0 - drift * rise);
+}
+
+/// The slope [rad] that carries the inflow with the scene's own u_c and regularisations.
+std::optional<double> regularised_slope(const Scene& s, double thickness) {
+  constexpr int cells = 500;  // slope to a few 1e-4 degrees, in some ten milliseconds
+  const steady::RegularisedLayer layer{channel_of(s), s.regularisation, s.wall.u_c, thickness};
+  const auto slope = steady::slope_of_flux(layer, s.inflow.rate, cells);
+  return slope ? std::optional(*slope) : std::nullopt;
 }
 
 /// The flow over the base that carries the inflow, found by its thickness up to the box's height.
@@ -45,7 +59,8 @@ Answer<UniformFlow> flow_over_base(const Scene& s) {
   double low = 0.0, high = s.box.height;
   auto flow = UniformFlow::at(channel, base_angle(s), high);
   if (!flow) return flow;
-  if (flow->flux() < s.inflow.rate) return Answer<UniformFlow>::none("none: a layer over the base does not carry the inflow");
+  if (flow->flux() < s.inflow.rate)
+    return Answer<UniformFlow>::none("none: a layer over the base does not carry the inflow");
   constexpr int halvings = 60;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (low + high);
@@ -62,6 +77,7 @@ void poured(const Scene& s, Theory& theory) {
   if (slope && *slope > base_angle(s)) {
     const auto flow = UniformFlow::at(channel, *slope);
     theory.steady = describe(*flow, true, heap_thickness(s, *slope));
+    theory.steady->regularised_slope = regularised_slope(s, 0.5 * theory.steady->thickness);
     if (theory.steady->thickness > s.box.height) {
       theory.warnings.push_back(format("the steady heap would be %.0f mm high, above the inlet at %.0f mm",
                                        1e3 * theory.steady->thickness, 1e3 * s.box.height));
@@ -71,8 +87,10 @@ void poured(const Scene& s, Theory& theory) {
   const auto maximum = steady::maximal_flux(channel);
   if (maximum && s.inflow.rate >= *maximum) {
     theory.reason = slope.reason();
-    theory.warnings.push_back(format("no steady state exists: the inflow of %.6g kg/s is above the largest steady flow of the classical law, "
-                                     "Q_max = %.6g kg/s", s.inflow.rate, *maximum));
+    theory.warnings.push_back(
+        format("no steady state exists: the inflow of %.6g kg/s is above the largest steady flow of the classical law, "
+               "Q_max = %.6g kg/s",
+               s.inflow.rate, *maximum));
     return;
   }
   if (base_angle(s) <= 0.0) {
@@ -115,16 +133,17 @@ double layers_within(const Scene& s, double depth, double H) {
 void judge_grid(const Scene& s, Theory& theory) {
   const double dx = s.box.length / s.grid.columns;
   if (s.inflow.rate > 0.0 && dx > 2.0 * s.inflow.width) {
-    theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm", 1e3 * dx,
-                                     1e3 * s.inflow.width));
+    theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm",
+                                     1e3 * dx, 1e3 * s.inflow.width));
   }
   if (!theory.steady) return;
   auto& steady = *theory.steady;
   steady.layers = layers_within(s, steady.depth, std::min(steady.thickness, s.box.height));
   if (steady.layers < fewest_layers) {
-    theory.warnings.push_back(format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "
-                                     "(more grid.layers, or a smaller grid.cluster_depth)", steady.layers, 1e3 * steady.depth,
-                                     fewest_layers));
+    theory.warnings.push_back(
+        format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "
+               "(more grid.layers, or a smaller grid.cluster_depth)",
+               steady.layers, 1e3 * steady.depth, fewest_layers));
   }
 }
 

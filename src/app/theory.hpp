@@ -18,14 +18,16 @@ struct Theory {
     double depth;      ///< in which the speed falls to 1 % of that at the surface [m]
     double thickness;  ///< expected, where the layer is thickest [m]
     double layers;     ///< of the grid within `depth`, where it is thickest
+    std::optional<double>
+        regularised_slope;  ///< of a heap, with the scene's u_c and regularisations, half as thick [rad]
   };
   std::optional<Steady> steady;
   std::string reason;
   std::vector<std::string> warnings;  ///< what the user should know before the run
 };
 
-/// Fewest layers within the flowing depth that a grid may have without a warning: with 4, trials kept the slope of a heap
-/// within 0.6 degrees.
+/// Fewest layers within the flowing depth that a grid may have without a warning: with 4, trials kept the slope of a
+/// heap within 0.6 degrees.
 inline constexpr double fewest_layers = 4.0;
 
 Theory theory_of(const Scene& scene);

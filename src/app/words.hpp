@@ -21,10 +21,11 @@ inline constexpr Table<rheology::Cap, 3> caps{
     {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
 inline constexpr Table<layer::Advection, 3> advections{
     {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"linear", layer::Advection::linear}}};
-inline constexpr Table<linear::Choice, 4> linear_solvers{{{"automatic", linear::Choice::automatic},
+inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},
-                                                          {"banded", linear::Choice::banded}}};
+                                                          {"banded", linear::Choice::banded},
+                                                          {"condensed", linear::Choice::condensed}}};
 inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
 inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
 

@@ -63,9 +63,7 @@ Key make(Type type, std::string name, std::string unit, std::string doc) {
 
 }  // namespace
 
-bool Range::contains(double x) const {
-  return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
-}
+bool Range::contains(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 
 Key&& Key::above(double low) && {
   range.low = low;
@@ -130,7 +128,8 @@ std::optional<std::string> Key::complaint(const Value& value) const {
   const auto refused = [&] { return "expected " + expectation() + ", found " + to_toml(value); };
   const auto fits = [&](double x) { return std::isfinite(x) && range.contains(x); };
   if (const auto* x = std::get_if<double>(&value); x != nullptr && !fits(*x)) return refused();
-  if (const auto* i = std::get_if<std::int64_t>(&value); i != nullptr && !fits(static_cast<double>(*i))) return refused();
+  if (const auto* i = std::get_if<std::int64_t>(&value); i != nullptr && !fits(static_cast<double>(*i)))
+    return refused();
   if (const auto* list = std::get_if<std::vector<double>>(&value)) {
     const bool in_order = !ascending || std::ranges::adjacent_find(*list, std::greater_equal{}) == list->end();
     if (!in_order || !std::ranges::all_of(*list, fits)) return refused();

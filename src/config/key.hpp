@@ -31,23 +31,23 @@ struct Range {
 /// All that is known of one key of a scene file, declared once. Required unless `fallback`, `optional` or `required_if`
 /// says otherwise. Numbers are always finite.
 struct Key {
-  std::string name;                 ///< within its section until Schema::add makes it dotted, "box.gap"
+  std::string name;  ///< within its section until Schema::add makes it dotted, "box.gap"
   Type type = Type::number;
-  std::string unit;                 ///< "" where a unit has no meaning
-  std::string doc;                  ///< one line
+  std::string unit;  ///< "" where a unit has no meaning
+  std::string doc;   ///< one line
   Range range{};
-  std::vector<std::string> words{};   ///< of a choice
-  bool ascending = false;           ///< of a list: strictly
+  std::vector<std::string> words{};  ///< of a choice
+  bool ascending = false;            ///< of a list: strictly
   bool required = true;
   std::optional<Value> value_if_absent{};
-  std::string condition{};            ///< in words: when an otherwise optional key is required
+  std::string condition{};  ///< in words: when an otherwise optional key is required
   std::function<bool(const Values&)> is_needed{};
 
-  Key&& above(double low) &&;       ///< open lower end
+  Key&& above(double low) &&;  ///< open lower end
   Key&& at_least(double low) &&;
-  Key&& below(double high) &&;      ///< open upper end
+  Key&& below(double high) &&;  ///< open upper end
   Key&& at_most(double high) &&;
-  Key&& fallback(Value value) &&;   ///< the default
+  Key&& fallback(Value value) &&;  ///< the default
   Key&& optional(std::string meaning_of_absence) &&;
   /// Optional, but required where `needed` holds; `when` says so in words.
   Key&& required_if(std::string when, std::function<bool(const Values&)> needed) &&;

@@ -35,7 +35,8 @@ std::string kind_of(const toml::node& node) {
 
 /// What stands where `key` expected something else.
 std::string found_instead(const Key& key, const toml::node& node) {
-  if (const auto* x = node.as_floating_point(); x != nullptr && !std::isfinite(**x)) return kind_of(node) + ", which is not finite";
+  if (const auto* x = node.as_floating_point(); x != nullptr && !std::isfinite(**x))
+    return kind_of(node) + ", which is not finite";
   if (key.type == Type::numbers && node.is_array()) return "a list that holds something else";
   return kind_of(node);
 }
@@ -52,7 +53,8 @@ using Item = std::pair<const toml::key*, const toml::node*>;
 std::vector<Item> in_file_order(const toml::table& table) {
   std::vector<Item> items;
   for (const auto& [name, node] : table) items.emplace_back(&name, &node);
-  std::ranges::sort(items, [](const Item& a, const Item& b) { return a.first->source().begin < b.first->source().begin; });
+  std::ranges::sort(items,
+                    [](const Item& a, const Item& b) { return a.first->source().begin < b.first->source().begin; });
   return items;
 }
 
@@ -62,7 +64,7 @@ std::optional<double> finite_number(const toml::node& node) {
   return std::nullopt;
 }
 
-/// The node as the key's type, or nothing. Never converts a text, and a number to an integer only if it was written as one.
+/// The node as the key's type, or nothing. An integer passes for a number; nothing else is converted.
 std::optional<Value> convert(const Key& key, const toml::node& node) {
   switch (key.type) {
     case Type::number:
@@ -164,7 +166,7 @@ class Reader {
       if (schema_.find_section(section) == nullptr) {
         problems_.add(at(name->source()), section,
                       node->is_table() ? "unknown section" + schema_.suggest_section(section)
-                            : "key outside a section" + schema_.suggest_key(section));
+                                       : "key outside a section" + schema_.suggest_key(section));
       } else if (const auto* table = node->as_table()) {
         section_place_[section] = at(name->source());
         walk_section(section, *table);
@@ -231,7 +233,8 @@ class Reader {
 
 }  // namespace
 
-Values read_text(const Schema& schema, std::string_view toml, const std::string& name, const std::vector<std::string>& overrides) {
+Values read_text(const Schema& schema, std::string_view toml, const std::string& name,
+                 const std::vector<std::string>& overrides) {
   Reader reader(schema, name);
   reader.parse(toml);
   for (const auto& assignment : overrides) reader.override_with(assignment);

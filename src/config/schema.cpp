@@ -23,7 +23,8 @@ std::string local_name(std::string_view dotted) { return std::string(dotted.subs
 std::string explain_section(const Section& section) {
   std::string out = "[" + section.name + "]  " + section.doc + "\n";
   for (const Key& key : section.keys) {
-    out += "  " + local_name(key.name) + "\n      " + key.doc + "\n      " + key.expectation() + "; " + presence(key) + "\n";
+    out += "  " + local_name(key.name) + "\n      " + key.doc + "\n      " + key.expectation() + "; " + presence(key) +
+           "\n";
   }
   return out;
 }

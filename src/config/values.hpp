@@ -19,12 +19,14 @@ class Values {
 
   [[nodiscard]] const Schema& schema() const { return *schema_; }
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
-  // Getters throw std::logic_error for a key that is absent or of another type: a fault of the program, not of the scene.
+  // Getters throw std::logic_error for a key that is absent or of another type: the program's fault, not the scene's.
   [[nodiscard]] double number(std::string_view name) const { return get<double>(name); }
   [[nodiscard]] std::int64_t integer(std::string_view name) const { return get<std::int64_t>(name); }
   [[nodiscard]] bool boolean(std::string_view name) const { return get<bool>(name); }
   [[nodiscard]] const std::string& text(std::string_view name) const { return get<std::string>(name); }
-  [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const { return get<std::vector<double>>(name); }
+  [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const {
+    return get<std::vector<double>>(name);
+  }
 
   /// Where the key was given: "scene.toml:12:1", "--set", or the file's name for a default.
   [[nodiscard]] std::string place(std::string_view name) const;

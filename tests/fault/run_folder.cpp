@@ -19,12 +19,15 @@ using talus::support::TemporaryFolder;
 const std::string chute = TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml";
 
 Outcome run_into(const std::filesystem::path& folder, std::vector<std::string> more = {}, rlim_t file_size_limit = 0) {
-  std::vector<std::string> arguments{"run", chute, "--set", "time.end=0.01", "--set", "output.times=[]", "--out", folder.string()};
+  std::vector<std::string> arguments{"run",   chute,          "--set", "time.end=0.01", "--set", "output.times=[]",
+                                     "--out", folder.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return outcome_of(TALUS_PROGRAM, arguments, file_size_limit);
 }
 
-nlohmann::json summary_in(const std::filesystem::path& folder) { return nlohmann::json::parse(contents(folder / "summary.json")); }
+nlohmann::json summary_in(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(contents(folder / "summary.json"));
+}
 
 bool says(const Outcome& outcome, const std::string& words) { return outcome.output.find(words) != std::string::npos; }
 
@@ -33,7 +36,8 @@ TEST(RunFolder, ThatCannotBeMadeIsRefused) {
   std::ofstream(folder / "file") << "not a folder";
   const Outcome outcome = run_into(folder / "file" / "out");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_TRUE(says(outcome, "talus: output folder " + (folder / "file" / "out").string() + ": cannot be created: ")) << outcome.output;
+  EXPECT_TRUE(says(outcome, "talus: output folder " + (folder / "file" / "out").string() + ": cannot be created: "))
+      << outcome.output;
 }
 
 TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
@@ -43,7 +47,8 @@ TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
 
   const Outcome again = run_into(folder / "out");
   EXPECT_EQ(again.code, 3);
-  EXPECT_TRUE(says(again, "holds a run already (run.nc); --force replaces it, --out names another folder")) << again.output;
+  EXPECT_TRUE(says(again, "holds a run already (run.nc); --force replaces it, --out names another folder"))
+      << again.output;
   EXPECT_EQ(contents(folder / "out" / "summary.json"), before);
 
   EXPECT_EQ(run_into(folder / "out", {"--force", "--set", "scene.name=second"}).code, 0);
@@ -60,7 +65,8 @@ TEST(RunFolder, AnEarlierRunIsNotTouchedByABadScene) {
 TEST(RunFolder, FullDiskEndsTheRunWithASummary) {
   const TemporaryFolder folder;
   constexpr rlim_t room_for_some_records = 17 * 1024 * 1024;  // the writer wants 16 MiB to stay free
-  const Outcome outcome = run_into(folder / "out", {"--set", "output.series_interval=1e-7", "--set", "output.fields=false"}, room_for_some_records);
+  const Outcome outcome = run_into(
+      folder / "out", {"--set", "output.series_interval=1e-7", "--set", "output.fields=false"}, room_for_some_records);
   EXPECT_EQ(outcome.code, 5) << outcome.output;
   const auto summary = summary_in(folder / "out");
   EXPECT_EQ(summary["status"], "failed");
@@ -81,8 +87,8 @@ class LongRun : public testing::Test {
 
   TemporaryFolder folder_;
   Program program_{TALUS_PROGRAM,
-                   {"run", chute, "--set", "time.end=100", "--set", "integrator.max_step=1e-5", "--set", "output.series_interval=1e-4",
-                    "--out", (folder_ / "out").string()}};
+                   {"run", chute, "--set", "time.end=100", "--set", "integrator.max_step=1e-5", "--set",
+                    "output.series_interval=1e-4", "--out", (folder_ / "out").string()}};
 };
 
 TEST_F(LongRun, LocksItsFolder) {

@@ -55,7 +55,8 @@ TEST(Cli, ListsEveryExampleAndExplainsEverySection) {
   EXPECT_EQ(list.code, 0);
   for (const auto& file : scenes()) EXPECT_TRUE(says(list, file.filename().string() + ": ")) << list.output;
   const Outcome explained = talus({"explain"});
-  for (const char* section : {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator", "time", "output"}) {
+  for (const char* section :
+       {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator", "time", "output"}) {
     EXPECT_TRUE(says(explained, "[" + std::string(section) + "]")) << section;
     EXPECT_EQ(talus({"explain", section}).code, 0);
   }
@@ -70,7 +71,8 @@ TEST(Cli, NamesItsVersionAndThoseOfItsLibraries) {
   for (const char* name : {"talus ", "SUNDIALS ", "SuiteSparse ", "netCDF ", "Eigen ", "toml++ "}) {
     const auto at = version.output.find(name);
     ASSERT_NE(at, std::string::npos) << version.output;
-    EXPECT_NE(std::isdigit(static_cast<unsigned char>(version.output[at + std::string(name).size()])), 0) << version.output;
+    EXPECT_NE(std::isdigit(static_cast<unsigned char>(version.output[at + std::string(name).size()])), 0)
+        << version.output;
   }
 }
 
@@ -89,7 +91,8 @@ TEST(Cli, ARunLeavesItsEffectiveSceneItsRecordsAndItsSummary) {
   const Outcome outcome = talus({"run", (examples / "chute_periodic.toml").string(), "--set", "time.end=0.1", "--set",
                                  "output.times=[0.013, 0.05]", "--set", "scene.name=short", "--out", out.string()});
   ASSERT_EQ(outcome.code, 0) << outcome.output;
-  for (const char* file : {"run.nc", "scene.toml", "run.log", "summary.json"}) EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
+  for (const char* file : {"run.nc", "scene.toml", "run.log", "summary.json"})
+    EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
 
   const auto summary = nlohmann::json::parse(contents(out / "summary.json"));
   EXPECT_EQ(summary["status"], "finished");

@@ -61,7 +61,8 @@ class Program {
   }
   [[nodiscard]] bool running() {
     siginfo_t info{};
-    return child_ > 0 && waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+    return child_ > 0 && waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == 0;
   }
   /// All that it wrote to stdout and stderr.
   [[nodiscard]] std::string output() const { return contents(output_file()); }
@@ -78,7 +79,8 @@ struct Outcome {
   std::string output;
 };
 
-inline Outcome outcome_of(const std::string& executable, std::vector<std::string> arguments, rlim_t file_size_limit = 0) {
+inline Outcome outcome_of(const std::string& executable, std::vector<std::string> arguments,
+                          rlim_t file_size_limit = 0) {
   Program program(executable, std::move(arguments), file_size_limit);
   const int code = program.wait();
   return {code, program.output()};

@@ -26,7 +26,8 @@ std::vector<std::string> names(const core::FieldSource& source) {
 }
 
 TEST(SelectedFields, PartAModelsVariablesByPlaceAndTime) {
-  support::HeapFields model;
+  support::HeapFields heap;
+  app::EvaluatedFields model(heap);
   using Names = std::vector<std::string>;
   app::SelectedFields fields(model, app::Selection::fields), surface(model, app::Selection::surface);
   app::SelectedFields series(model, app::Selection::series), numbers(model, app::Selection::numbers);
@@ -45,8 +46,8 @@ TEST(SelectedFields, PartAModelsVariablesByPlaceAndTime) {
 
 TEST(Scene, RecordTimesUniteListIntervalStartAndEnd) {
   const auto scene = app::read_scene(TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml",
-                                     {"time.end=0.35", "output.times=[0.05, 0.30000000000000004]", "output.interval=0.1",
-                                      "output.series_interval=0.05"});
+                                     {"time.end=0.35", "output.times=[0.05, 0.30000000000000004]",
+                                      "output.interval=0.1", "output.series_interval=0.05"});
   const std::vector<double> fields{0.0, 0.05, 0.1, 0.2, 0.30000000000000004, 0.35};
   EXPECT_EQ(scene.recording.field_times, fields);
   EXPECT_EQ(scene.recording.series_times.size(), 8U);

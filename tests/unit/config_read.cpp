@@ -40,9 +40,7 @@ Values accept(const std::string& toml, const std::vector<std::string>& overrides
 std::string refusal(const std::string& toml, const std::vector<std::string>& overrides = {}) {
   try {
     (void)accept(toml, overrides);
-  } catch (const talus::core::ConfigError& error) {
-    return error.what();
-  }
+  } catch (const talus::core::ConfigError& error) { return error.what(); }
   return "accepted";
 }
 
@@ -66,7 +64,8 @@ TEST(ConfigRead, TakesAnIntegerForANumberButNotTheOtherWay) {
 }
 
 TEST(ConfigRead, OffersTheNearestSpelling) {
-  EXPECT_EQ(refusal(good + "[grid]\ncolunms = 7\n"), "s.toml:6:1: grid.colunms: unknown key (did you mean grid.columns?)");
+  EXPECT_EQ(refusal(good + "[grid]\ncolunms = 7\n"),
+            "s.toml:6:1: grid.colunms: unknown key (did you mean grid.columns?)");
   EXPECT_EQ(refusal(good + "[gird]\ncolumns = 7\n"), "s.toml:5:2: gird: unknown section (did you mean grid?)");
   EXPECT_EQ(refusal(good + "[grid]\ngap = 7\n"), "s.toml:6:1: grid.gap: unknown key (did you mean box.gap?)");
   EXPECT_EQ(refusal(good + "[grid]\nviscosity_of_air = 7\n"), "s.toml:6:1: grid.viscosity_of_air: unknown key");
@@ -76,16 +75,22 @@ TEST(ConfigRead, OffersTheNearestSpelling) {
 TEST(ConfigRead, RefusesMistypedValues) {
   EXPECT_EQ(refusal("[box]\ngap = \"3 mm\"\n[law]\nname = \"constant\"\n"),
             "s.toml:2:1: box.gap: expected a number above 0 [m], found the text \"3 mm\"");
-  EXPECT_EQ(refusal(good + "[grid]\nperiodic = 1\n"), "s.toml:6:1: grid.periodic: expected true or false, found the integer 1");
+  EXPECT_EQ(refusal(good + "[grid]\nperiodic = 1\n"),
+            "s.toml:6:1: grid.periodic: expected true or false, found the integer 1");
   EXPECT_EQ(refusal("grid = 3\n" + good), "s.toml:1:1: grid: expected a section [grid], found the integer 3");
   EXPECT_EQ(refusal(good + "[output]\ntimes = [1, \"two\"]\n"),
-            "s.toml:6:1: output.times: expected an ascending list of numbers of at least 0 [s], found a list that holds something else");
+            "s.toml:6:1: output.times: expected an ascending list of numbers of at least 0 [s], found a list that "
+            "holds something else");
 }
 
 TEST(ConfigRead, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
-  const auto gap = [](const std::string& value) { return refusal("[law]\nname = \"constant\"\n[box]\ngap = " + value + "\n"); };
-  EXPECT_EQ(gap("nan"), "s.toml:4:1: box.gap: expected a number above 0 [m], found the number nan, which is not finite");
-  EXPECT_EQ(gap("inf"), "s.toml:4:1: box.gap: expected a number above 0 [m], found the number inf, which is not finite");
+  const auto gap = [](const std::string& value) {
+    return refusal("[law]\nname = \"constant\"\n[box]\ngap = " + value + "\n");
+  };
+  EXPECT_EQ(gap("nan"),
+            "s.toml:4:1: box.gap: expected a number above 0 [m], found the number nan, which is not finite");
+  EXPECT_EQ(gap("inf"),
+            "s.toml:4:1: box.gap: expected a number above 0 [m], found the number inf, which is not finite");
   EXPECT_EQ(gap("-0.003"), "s.toml:4:1: box.gap: expected a number above 0 [m], found -0.003");
   EXPECT_EQ(gap("0.0"), "s.toml:4:1: box.gap: expected a number above 0 [m], found 0.0");
   EXPECT_NE(refusal(good + "[grid]\ncolumns = 1\n"), "accepted");
@@ -117,7 +122,8 @@ TEST(ConfigRead, AsksForAKeyOnlyWhereItIsNeeded) {
 }
 
 TEST(ConfigRead, OverridesPassTheSameChecks) {
-  const Values v = accept(good, {"box.gap=0.01", "law.name=classical", "law.mu_d = 0.9", "output.title=a \"b\" c", "output.times=[3]"});
+  const Values v = accept(
+      good, {"box.gap=0.01", "law.name=classical", "law.mu_d = 0.9", "output.title=a \"b\" c", "output.times=[3]"});
   EXPECT_EQ(v.number("box.gap"), 0.01);
   EXPECT_EQ(v.text("law.name"), "classical");
   EXPECT_EQ(v.text("output.title"), "a \"b\" c");
@@ -141,7 +147,8 @@ TEST(ConfigRead, NamesAFileThatCannotBeRead) {
 }
 
 TEST(ConfigValues, TheEffectiveSceneReadsBackToItself) {
-  const Values v = accept(good, {"output.title=say \"hi\"\\ \t\n now", "box.tilt=0.1", "output.times=[1e-7, 0.30000000000000004, 1e22]"});
+  const Values v = accept(
+      good, {"output.title=say \"hi\"\\ \t\n now", "box.tilt=0.1", "output.times=[1e-7, 0.30000000000000004, 1e22]"});
   const std::string printed = v.to_toml();
   const Values again = accept(printed);
   EXPECT_EQ(again.number("box.tilt"), 0.1);
