@@ -25,7 +25,8 @@ void above(double bound, const char* law, const char* name, double value) {
 }
 
 void no_inverse(const char* law, double mu, const std::string& bound) {
-  throw std::domain_error(std::string(law) + ": no inertial number has the friction mu = " + text(mu) + " (" + bound + ")");
+  throw std::domain_error(std::string(law) + ": no inertial number has the friction mu = " + text(mu) + " (" + bound +
+                          ")");
 }
 
 }  // namespace checks

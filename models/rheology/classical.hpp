@@ -8,7 +8,9 @@ struct Classical {
   double mu_s, mu_d, I_0;
 
   template <class S>
-  S friction(const S& I) const { return mu_s + (mu_d - mu_s) * (I / (I + I_0)); }
+  S friction(const S& I) const {
+    return mu_s + (mu_d - mu_s) * (I / (I + I_0));
+  }
 
   /// dmu/dI.
   template <class S>

@@ -2,15 +2,20 @@
 
 namespace talus::rheology {
 
-/// Drucker-Prager plasticity: mu does not depend on I. Ill-posed everywhere (section 3.3); a bound and a contrast, not a model.
+/// Drucker-Prager plasticity: mu does not depend on I. Ill-posed everywhere (section 3.3); a bound and a contrast, not
+/// a model.
 struct Constant {
   static constexpr const char* name = "constant";
   double mu_s;
 
   template <class S>
-  S friction(const S&) const { return S(mu_s); }
+  S friction(const S&) const {
+    return S(mu_s);
+  }
   template <class S>
-  S slope(const S&) const { return S(0.0); }
+  S slope(const S&) const {
+    return S(0.0);
+  }
 
   [[nodiscard]] double friction_at_rest() const { return mu_s; }
   /// Throws std::domain_error always: a constant has no inverse.

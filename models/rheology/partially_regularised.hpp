@@ -8,9 +8,9 @@
 
 namespace talus::rheology {
 
-/// mu(I) of Barker & Gray (2017), (3.19): logarithmic creep up to I_N, rational above and linear at large I, so that every mu >= 0
-/// has its I. Continuous (A of (3.20)); its slope jumps at I_N. Below `tiny_I` the logarithm is continued by the parabola through
-/// zero that joins it with its slope: mu(0) = 0 and dmu/dI stays finite there.
+/// mu(I) of Barker & Gray (2017), (3.19): logarithmic creep up to I_N, rational above and linear at large I, so that
+/// every mu >= 0 has its I. Continuous (A of (3.20)); its slope jumps at I_N. Below `tiny_I` the logarithm is continued
+/// by the parabola through zero that joins it with its slope: mu(0) = 0 and dmu/dI stays finite there.
 struct PartiallyRegularised {
   static constexpr const char* name = "partially regularised";
   static constexpr double tiny_I = 1e-200;
@@ -18,8 +18,10 @@ struct PartiallyRegularised {
 
   template <class S>
   S friction(const S& I) const {
-    using std::sqrt; using std::log;
-    using core::sqrt; using core::log;
+    using std::sqrt;
+    using std::log;
+    using core::sqrt;
+    using core::log;
     return core::select_above(
         I, I_N,
         [&] {
@@ -39,8 +41,10 @@ struct PartiallyRegularised {
   /// dmu/dI; at I_N that of the creep side.
   template <class S>
   S slope(const S& I) const {
-    using std::sqrt; using std::log;
-    using core::sqrt; using core::log;
+    using std::sqrt;
+    using std::log;
+    using core::sqrt;
+    using core::log;
     return core::select_above(
         I, I_N,
         [&] {
@@ -68,15 +72,16 @@ struct PartiallyRegularised {
   [[nodiscard]] double inverse(double mu) const;
 
  private:
-  [[nodiscard]] double creep_limit() const { return std::sqrt(alpha / std::log(A / tiny_I)); }     ///< mu(tiny_I)
-  [[nodiscard]] double creep_power() const { return 0.5 / std::log(A / tiny_I); }                  ///< I mu'/mu there
+  [[nodiscard]] double creep_limit() const { return std::sqrt(alpha / std::log(A / tiny_I)); }  ///< mu(tiny_I)
+  [[nodiscard]] double creep_power() const { return 0.5 / std::log(A / tiny_I); }               ///< I mu'/mu there
 };
 
 /// A of (3.20), which makes (3.19) continuous at I_N.
 [[nodiscard]] double creep_amplitude(const Classical& base, double mu_inf, double alpha, double I_N);
 
-/// Checked: `base` as `classical` demands, mu_inf >= 0, alpha > 0, I_N > 0 and A finite. Without I_N it is the lower neutral point
-/// of `base` (3.18). Throws std::invalid_argument naming the parameter, also where `base` has no neutral point to take.
+/// Checked: `base` as `classical` demands, mu_inf >= 0, alpha > 0, I_N > 0 and A finite. Without I_N it is the lower
+/// neutral point of `base` (3.18). Throws std::invalid_argument naming the parameter, also where `base` has no neutral
+/// point to take.
 [[nodiscard]] PartiallyRegularised partially_regularised(const Classical& base, double mu_inf, double alpha,
                                                          std::optional<double> I_N = {});
 

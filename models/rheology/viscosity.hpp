@@ -8,7 +8,8 @@
 
 namespace talus::rheology {
 
-/// Below these a rate [1/s] and a granular sound speed sqrt(p/rho_*) [m/s] count as zero: they keep sqrt differentiable.
+/// Below these a rate [1/s] and a granular sound speed sqrt(p/rho_*) [m/s] count as zero: they keep sqrt
+/// differentiable.
 inline constexpr double tiny_rate = 1e-12;
 inline constexpr double tiny_speed = 1e-9;
 
@@ -17,7 +18,7 @@ enum class Cap { none, hard, smooth };
 
 /// Named regularisations of the granular viscosity; each is exact when switched off (zero, or `none`).
 struct Regularisation {
-  double p_0 = 0.0;         ///< positive-part pressure p_+ = (p + sqrt(p^2 + p_0^2))/2 [Pa]; 0: p_+ = max(p, 0), with a kink
+  double p_0 = 0.0;  ///< positive-part pressure p_+ = (p + sqrt(p^2 + p_0^2))/2 [Pa]; 0: p_+ = max(p, 0), with a kink
   double rate_floor = 0.0;  ///< constant floor under D_norm [1/s]
   double rate_speed = 0.0;  ///< u_r: floor u_r / H under D_norm, H the local thickness [m/s]
   double eta_max = std::numeric_limits<double>::infinity();  ///< [Pa s]
@@ -32,15 +33,19 @@ template <class S>
 S positive_pressure(const S& p, double p_0) {
   using std::sqrt;
   using core::sqrt;
-  if (!(p_0 > 0.0)) return core::select_above(p, 0.0, [&] { return p; }, [] { return S(0.0); });
+  if (!(p_0 > 0.0))
+    return core::select_above(
+        p, 0.0, [&] { return p; }, [] { return S(0.0); });
   const S root = sqrt(p * p + p_0 * p_0);
   // Below zero the plain form would cancel.
-  return core::select_above(p, 0.0, [&] { return S(0.5 * (p + root)); }, [&] { return S((0.5 * p_0 * p_0) / (root - p)); });
+  return core::select_above(
+      p, 0.0, [&] { return S(0.5 * (p + root)); }, [&] { return S((0.5 * p_0 * p_0) / (root - p)); });
 }
 
 /// I (3.15) with the same regularisations as the viscosity.
 template <class S, class F>
-S inertial_number(const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor, const S& p) {
+S inertial_number(const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
+                  const S& p) {
   using std::sqrt;
   using core::sqrt;
   const S rate = sqrt(D_norm_squared + floor * floor + tiny_rate * tiny_rate);
@@ -50,7 +55,8 @@ S inertial_number(const Grains& grains, const Regularisation& reg, const S& D_no
 namespace detail {
 
 template <class S, class F>
-S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor, const S& p) {
+S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
+            const S& p) {
   using std::sqrt;
   using core::sqrt;
   const S p_plus = positive_pressure(p, reg.p_0);
@@ -59,7 +65,9 @@ S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, con
   const S eta = friction(law, I) * p_plus / (2.0 * rate);
   switch (reg.cap) {
     case Cap::none: return eta;
-    case Cap::hard: return core::select_above(eta, reg.eta_max, [&] { return S(reg.eta_max); }, [&] { return eta; });
+    case Cap::hard:
+      return core::select_above(
+          eta, reg.eta_max, [&] { return S(reg.eta_max); }, [&] { return eta; });
     case Cap::smooth: {
       const S share = eta / reg.eta_max;
       return eta / sqrt(1.0 + share * share);
@@ -70,16 +78,17 @@ S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, con
 
 }  // namespace detail
 
-/// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 + floor^2), and the
-/// same floored rate enters I (3.15). Finite, with finite derivatives, at rest and at any p.
+/// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 +
+/// floor^2), and the same floored rate enters I (3.15). Finite, with finite derivatives, at rest and at any p.
 template <class S, class F>
-S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor, const S& p) {
+S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
+            const S& p) {
   return detail::viscosity(law, grains, reg, D_norm_squared, floor, p);
 }
 /// The same function of three numbers, differentiated once for these and chained to the N inputs behind them.
 template <int N, class F>
-core::Dual<N> viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const core::Dual<N>& D_norm_squared,
-                        const F& floor, const core::Dual<N>& p) {
+core::Dual<N> viscosity(const Law& law, const Grains& grains, const Regularisation& reg,
+                        const core::Dual<N>& D_norm_squared, const F& floor, const core::Dual<N>& p) {
   using Three = core::Dual<3>;
   const Three eta = detail::viscosity(law, grains, reg, Three::input(D_norm_squared.value, 0),
                                       Three::input(core::value_of(floor), 1), Three::input(p.value, 2));

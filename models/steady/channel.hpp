@@ -15,7 +15,8 @@ struct Channel {
 
 /// Throws std::invalid_argument naming what is not finite or out of range.
 void check(const Channel& channel);
-/// Throws std::invalid_argument unless 0 < zeta < pi/2 and 0 < thickness, which must be finite where no wall bounds the flow.
+/// Throws std::invalid_argument unless 0 < zeta < pi/2 and 0 < thickness, which must be finite where no wall bounds the
+/// flow.
 void check_layer(const Channel& channel, double zeta, double thickness);
 
 }  // namespace talus::steady

@@ -73,8 +73,8 @@ void ProfileProblem::force(std::span<const double> jump, std::vector<double>& on
   for (int i = 0; i < n; ++i) {
     const double direction = std::tanh(u[i] / layer_.u_c);
     const Rate rate = Rate::input(jump[i] / spacing_[i], 0);
-    const Rate eta = rheology::viscosity(layer_.channel.law, layer_.channel.grains, layer_.regularisation, Rate(0.25 * rate * rate),
-                                         floor_, Rate(face_pressure_[i]));
+    const Rate eta = rheology::viscosity(layer_.channel.law, layer_.channel.grains, layer_.regularisation,
+                                         Rate(0.25 * rate * rate), floor_, Rate(face_pressure_[i]));
     const Rate tau = eta * rate;
     on_node[i] += volume_[i] * (weight_ - full_friction_[i] * direction) - tau.value;
     if (i + 1 < n) on_node[i + 1] += tau.value;
@@ -91,8 +91,8 @@ bool ProfileProblem::step(std::vector<double>& jump) const {
   Stiffness k;
   force(jump, load, &k);
   const std::vector<double> load_at_start = load;
-  // Springs in a row: from the surface down each node's load and stiffness pass to the next. Sums of positive terms only, so the
-  // elimination is exact however rigid a face is.
+  // Springs in a row: from the surface down each node's load and stiffness pass to the next. Sums of positive terms
+  // only, so the elimination is exact however rigid a face is.
   for (int i = 1; i < n; ++i) {
     const double share = k.face[i - 1] / (k.face[i - 1] + k.node[i - 1]);
     k.node[i] += share * k.node[i - 1];
@@ -109,9 +109,9 @@ bool ProfileProblem::step(std::vector<double>& jump) const {
   for (const double f : load_at_start) unbalanced += std::abs(f);
   if (most <= 1e-10 * fastest && unbalanced <= 1e-7 * weight_ * depth_.back()) return true;
 
-  // The slope of the convex function along the step rises from -`start` through zero at its minimum; it is accepted at half of
-  // that. No jump may fall below a tenth of itself: the speed grows upwards, and a tangent at fast shear would turn a face that
-  // has to come to rest far into reverse.
+  // The slope of the convex function along the step rises from -`start` through zero at its minimum; it is accepted at
+  // half of that. No jump may fall below a tenth of itself: the speed grows upwards, and a tangent at fast shear would
+  // turn a face that has to come to rest far into reverse.
   const std::vector<double> change_of_speed = speeds(change);
   const double start = dot(load_at_start, change_of_speed);
   const auto slope_at = [&](double t) {

@@ -16,10 +16,10 @@ struct RegularisedLayer {
   double thickness;  ///< H [m]
 };
 
-/// The discrete force balance of a layer of slope zeta [rad] in n cells:
-/// tau_i - tau_(i-1) = V_i (rho g sin zeta - (2 mu_w/W) p_+ tanh(u_i/u_c)) at nodes 0 (surface) to n - 1; u_n = 0 on the base.
-/// Nodes lie at depth h0 sinh^2(a i/n): u is smooth in i/n at the surface, where u ~ (-z)^1.5, and cells grow below the flow.
-/// The balance is the gradient of a strictly convex function of u, for tau grows with the shear rate and friction with u.
+/// The discrete force balance of a layer of slope zeta [rad] in n cells: tau_i - tau_(i-1) = V_i (rho g sin zeta - (2
+/// mu_w/W) p_+ tanh(u_i/u_c)) at nodes 0 (surface) to n - 1; u_n = 0 on the base. Nodes lie at depth h0 sinh^2(a i/n):
+/// u is smooth in i/n at the surface, where u ~ (-z)^1.5, and cells grow below the flow. The balance is the gradient of
+/// a strictly convex function of u, for tau grows with the shear rate and friction with u.
 class ProfileProblem {
  public:
   ProfileProblem(const RegularisedLayer& layer, double zeta, int cells);
@@ -31,9 +31,10 @@ class ProfileProblem {
   [[nodiscard]] double position(double depth) const;
   /// Whether some profile balances: full wall friction leaves no more stress than the law can carry at any rate.
   [[nodiscard]] bool solvable() const;
-  /// Newton's method from rest for the jumps u_i - u_(i+1) [m/s] of the speed across the faces, shape size(). Returns the number of
-  /// iterations, or -1 where 200 did not bring the steps below 1e-10 of the largest speed and the forces below 1e-7 of the weight.
-  /// Jumps and not speeds are the unknowns: in a plug they are far below the rounding of the speed.
+  /// Newton's method from rest for the jumps u_i - u_(i+1) [m/s] of the speed across the faces, shape size(). Returns
+  /// the number of iterations, or -1 where 200 did not bring the steps below 1e-10 of the largest speed and the forces
+  /// below 1e-7 of the weight. Jumps and not speeds are the unknowns: in a plug they are far below the rounding of the
+  /// speed.
   int solve(std::vector<double>& jump) const;
   /// Speeds [m/s] at the nodes above the base, shape size().
   [[nodiscard]] std::vector<double> speeds(std::span<const double> jump) const;

@@ -25,8 +25,8 @@ Answer<RegularisedProfile> RegularisedProfile::at(const RegularisedLayer& layer,
 
   const ProfileProblem problem(layer, zeta, cells);
   if (!problem.solvable())
-    return Answer<RegularisedProfile>::none("no steady state at tan zeta = " + std::to_string(std::tan(zeta)) + ": the " +
-                                            std::string(rheology::name(layer.channel.law)) +
+    return Answer<RegularisedProfile>::none("no steady state at tan zeta = " + std::to_string(std::tan(zeta)) +
+                                            ": the " + std::string(rheology::name(layer.channel.law)) +
                                             " law cannot carry the stress that full wall friction leaves");
   RegularisedProfile profile(problem);
   std::vector<double> jump;
@@ -39,7 +39,8 @@ Answer<RegularisedProfile> RegularisedProfile::at(const RegularisedLayer& layer,
 }
 
 double RegularisedProfile::speed(double z) const {
-  if (!(z <= 0.0 && z >= z_.back())) throw std::invalid_argument("speed: z = " + std::to_string(z) + " lies outside the layer");
+  if (!(z <= 0.0 && z >= z_.back()))
+    throw std::invalid_argument("speed: z = " + std::to_string(z) + " lies outside the layer");
   const double x = problem_.position(-z);
   const int first = std::clamp(static_cast<int>(x) - 1, 0, problem_.size() - 3);
   double u = 0.0;
@@ -53,7 +54,8 @@ double RegularisedProfile::speed(double z) const {
 }
 
 Answer<double> slope_of_flux(const RegularisedLayer& layer, double Q, int cells) {
-  if (!(Q > 0.0 && std::isfinite(Q))) throw std::invalid_argument("slope_of_flux: Q = " + std::to_string(Q) + " must be above 0 kg/s");
+  if (!(Q > 0.0 && std::isfinite(Q)))
+    throw std::invalid_argument("slope_of_flux: Q = " + std::to_string(Q) + " must be above 0 kg/s");
   constexpr double flattest = 1e-3, steepest = 0.4999 * std::numbers::pi;
   std::string reason;
   // Above the steepest steady slope the flux counts as twice Q: the sign is what the search needs.

@@ -8,8 +8,9 @@
 
 namespace talus::steady {
 
-/// Steady uniform flow of a regularised layer: d(eta du/dz)/dz + rho g sin zeta = (2 mu_w/W) p_+ tanh(u/u_c), u = 0 at z = -H, no
-/// stress at z = 0, p = -rho g z cos zeta. Tends to `UniformFlow` as u_c -> 0. Second order in the number of cells.
+/// Steady uniform flow of a regularised layer: d(eta du/dz)/dz + rho g sin zeta = (2 mu_w/W) p_+ tanh(u/u_c), u = 0 at
+/// z = -H, no stress at z = 0, p = -rho g z cos zeta. Tends to `UniformFlow` as u_c -> 0. Second order in the number of
+/// cells.
 class RegularisedProfile {
  public:
   static constexpr int default_cells = 2000;
@@ -37,7 +38,9 @@ class RegularisedProfile {
   int iterations_ = 0;
 };
 
-/// zeta [rad] at which a regularised layer carries Q [kg/s] > 0: the exact slope for a model with these regularisations.
-[[nodiscard]] Answer<double> slope_of_flux(const RegularisedLayer& layer, double Q, int cells = RegularisedProfile::default_cells);
+/// zeta [rad] at which a regularised layer carries Q [kg/s] > 0: the exact slope for a model with these
+/// regularisations.
+[[nodiscard]] Answer<double> slope_of_flux(const RegularisedLayer& layer, double Q,
+                                           int cells = RegularisedProfile::default_cells);
 
 }  // namespace talus::steady

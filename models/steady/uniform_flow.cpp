@@ -13,8 +13,8 @@ namespace talus::steady {
 
 namespace {
 
-/// Where an integral over the friction m from `top` downwards may stop or must be split: at mu(I_N), and where the creep
-/// A exp(-alpha/m^2) has fallen by e^-60 below its largest value.
+/// Where an integral over the friction m from `top` downwards may stop or must be split: at mu(I_N), and where the
+/// creep A exp(-alpha/m^2) has fallen by e^-60 below its largest value.
 struct Pieces {
   double split, end;
 };
@@ -41,7 +41,8 @@ Answer<UniformFlow> UniformFlow::at(const Channel& channel, double zeta, double 
   check_layer(channel, zeta, thickness);
   const double mu = std::tan(zeta);
   if (!(mu > rheology::friction_at_rest(channel.law)))
-    return Answer<UniformFlow>::none("at rest: tan zeta = " + std::to_string(mu) + " does not exceed the friction at rest, " +
+    return Answer<UniformFlow>::none("at rest: tan zeta = " + std::to_string(mu) +
+                                     " does not exceed the friction at rest, " +
                                      std::to_string(rheology::friction_at_rest(channel.law)));
   try {
     (void)rheology::inverse(channel.law, mu);
@@ -54,11 +55,12 @@ Answer<UniformFlow> UniformFlow::at(const Channel& channel, double zeta, double 
 double UniformFlow::friction(double z) const { return tan_zeta_ + gradient_ * z; }
 
 double UniformFlow::inertial_number(double z) const {
-  return -z < -z_st_ ? rheology::inverse(channel_.law, std::max(friction(z), rheology::friction_at_rest(channel_.law))) : 0.0;
+  return -z < -z_st_ ? rheology::inverse(channel_.law, std::max(friction(z), rheology::friction_at_rest(channel_.law)))
+                     : 0.0;
 }
 
-// With x = sqrt(-z) the integrand I 2 x^power is smooth at the surface for every slope, with or without walls: the 3/2 power of
-// the profile and of the flux is gone.
+// With x = sqrt(-z) the integrand I 2 x^power is smooth at the surface for every slope, with or without walls: the 3/2
+// power of the profile and of the flux is gone.
 double UniformFlow::moment(int power, double from_depth, double to_depth) const {
   if (!(from_depth < to_depth)) return 0.0;
   const auto x_at = [&](double m) {
@@ -101,7 +103,8 @@ double UniformFlow::froude(double h) const {
 }
 
 Answer<double> slope_of_flux(const Channel& channel, double Q, double thickness) {
-  if (!(Q > 0.0 && std::isfinite(Q))) throw std::invalid_argument("slope_of_flux: Q = " + std::to_string(Q) + " must be above 0 kg/s");
+  if (!(Q > 0.0 && std::isfinite(Q)))
+    throw std::invalid_argument("slope_of_flux: Q = " + std::to_string(Q) + " must be above 0 kg/s");
   if (std::holds_alternative<rheology::Constant>(channel.law))
     return Answer<double>::none("no steady state: constant friction does not select a speed");
   const auto* classical = std::get_if<rheology::Classical>(&channel.law);
@@ -123,8 +126,9 @@ std::optional<double> maximal_flux(const Channel& channel) {
   const auto* law = std::get_if<rheology::Classical>(&channel.law);
   if (!law || channel.mu_w == 0.0) return std::nullopt;
   const double cos_d = 1.0 / std::hypot(1.0, law->mu_d);
-  return channel.grains.rho() * channel.gap * law->I_0 / channel.grains.d * std::sqrt(channel.grains.Phi * channel.gravity * cos_d) *
-         (4.0 / 15.0) * std::pow((law->mu_d - law->mu_s) * channel.gap / channel.mu_w, 2.5);
+  return channel.grains.rho() * channel.gap * law->I_0 / channel.grains.d *
+         std::sqrt(channel.grains.Phi * channel.gravity * cos_d) * (4.0 / 15.0) *
+         std::pow((law->mu_d - law->mu_s) * channel.gap / channel.mu_w, 2.5);
 }
 
 }  // namespace talus::steady

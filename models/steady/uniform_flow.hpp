@@ -12,12 +12,13 @@ namespace talus::steady {
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// The exact steady uniform flow down a surface of slope zeta between walls (paper section 4), on a heap or over a no-slip base.
-/// z [m] is normal to the surface and zero on it, negative below. Where nothing flows the speed is zero.
+/// The exact steady uniform flow down a surface of slope zeta between walls (paper section 4), on a heap or over a
+/// no-slip base. z [m] is normal to the surface and zero on it, negative below. Where nothing flows the speed is zero.
 class UniformFlow {
  public:
-  /// zeta [rad]; thickness [m] of the layer over its no-slip base, unbounded for a heap. With mu_w = 0 this is Bagnold's flow (B2).
-  /// None where the law has no friction tan zeta, or where that does not exceed mu(0). Throws std::invalid_argument on bad input.
+  /// zeta [rad]; thickness [m] of the layer over its no-slip base, unbounded for a heap. With mu_w = 0 this is
+  /// Bagnold's flow (B2). None where the law has no friction tan zeta, or where that does not exceed mu(0). Throws
+  /// std::invalid_argument on bad input.
   static Answer<UniformFlow> at(const Channel& channel, double zeta, double thickness = unbounded);
 
   [[nodiscard]] double zeta() const { return zeta_; }
@@ -52,11 +53,12 @@ class UniformFlow {
   double gradient_;  ///< mu_w/W [1/m]
 };
 
-/// zeta [rad] at which the flux is Q [kg/s] > 0. None where no slope carries it: reasons as `at`, or Q above the largest flux.
+/// zeta [rad] at which the flux is Q [kg/s] > 0. None where no slope carries it: reasons as `at`, or Q above the
+/// largest flux.
 [[nodiscard]] Answer<double> slope_of_flux(const Channel& channel, double Q, double thickness = unbounded);
 
-/// sup of Q [kg/s] over all slopes of a heap of classical grains, reached as tan zeta -> mu_d (closed form). None for other laws
-/// and without wall friction: their flux has no bound.
+/// sup of Q [kg/s] over all slopes of a heap of classical grains, reached as tan zeta -> mu_d (closed form). None for
+/// other laws and without wall friction: their flux has no bound.
 [[nodiscard]] std::optional<double> maximal_flux(const Channel& channel);
 
 }  // namespace talus::steady

@@ -7,9 +7,9 @@
 
 namespace talus::core {
 
-/// Root of a continuous scalar function f between a and b, where it changes sign: inverse quadratic interpolation guarded by
-/// bisection (Chandrupatla 1997, Adv. Eng. Softw. 28, 145). Exact to a few rounding errors of x, or to `tolerance` [unit of x].
-/// Throws std::domain_error where f(a) and f(b) have one sign or are not numbers.
+/// Root of a continuous scalar function f between a and b, where it changes sign: inverse quadratic interpolation
+/// guarded by bisection (Chandrupatla 1997, Adv. Eng. Softw. 28, 145). Exact to a few rounding errors of x, or to
+/// `tolerance` [unit of x]. Throws std::domain_error where f(a) and f(b) have one sign or are not numbers.
 template <class F>
 double bracketed_root(F&& f, double a, double b, double tolerance = 0.0) {
   double fa = f(a), fb = f(b);
@@ -28,7 +28,8 @@ double bracketed_root(F&& f, double a, double b, double tolerance = 0.0) {
     }
     a = x, fa = fx;
     const double best = std::abs(fa) < std::abs(fb) ? a : b;
-    const double limit = (2.0 * std::numeric_limits<double>::epsilon() * std::abs(best) + 0.5 * tolerance) / std::abs(b - a);
+    const double limit =
+        (2.0 * std::numeric_limits<double>::epsilon() * std::abs(best) + 0.5 * tolerance) / std::abs(b - a);
     if (fa == 0.0 || !(limit < 0.5)) return best;
     const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
     const bool smooth = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;

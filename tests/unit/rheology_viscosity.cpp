@@ -14,7 +14,8 @@ using rheology::Regularisation;
 
 const rheology::Grains grains = rheology::grains(2500.0, 0.6, 0.00073);
 const rheology::Classical base = rheology::classical(0.4, 0.9, 1.3);
-const std::vector<Law> every_law{base, rheology::partially_regularised(base, 1.3, 1.9, 0.05178), rheology::constant(0.4)};
+const std::vector<Law> every_law{base, rheology::partially_regularised(base, 1.3, 1.9, 0.05178),
+                                 rheology::constant(0.4)};
 
 template <class S>
 S stress(const Law& law, const Regularisation& reg, const S& shear, const S& floor, const S& p) {
@@ -37,8 +38,10 @@ struct Point {
 void expect_exact_derivatives(const Law& law, const Regularisation& reg, const Point& a) {
   const auto r = stress(law, reg, Dual<7>::input(a.shear, 1), Dual<7>::input(a.floor, 4), Dual<7>::input(a.p, 6));
   EXPECT_DOUBLE_EQ(r.value, stress(law, reg, a.shear, a.floor, a.p));
-  const double by_shear = difference([&](double x) { return stress(law, reg, x, a.floor, a.p); }, a.shear, 1e-3 * a.shear);
-  const double by_floor = difference([&](double x) { return stress(law, reg, a.shear, x, a.p); }, a.floor, 1e-3 * a.floor);
+  const double by_shear =
+      difference([&](double x) { return stress(law, reg, x, a.floor, a.p); }, a.shear, 1e-3 * a.shear);
+  const double by_floor =
+      difference([&](double x) { return stress(law, reg, a.shear, x, a.p); }, a.floor, 1e-3 * a.floor);
   const double by_p = difference([&](double x) { return stress(law, reg, a.shear, a.floor, x); }, a.p,
                                  1e-3 * std::max(std::abs(a.p), reg.p_0));
   const double size = std::abs(r.value);
@@ -87,7 +90,8 @@ TEST(Viscosity, IsFiniteWithFiniteDerivativesEverywhere) {
       for (const double shear : {0.0, 1e-14, 1e-3, 10.0, 1e6})
         for (const double p : {-1e5, -1.0, 0.0, 1e-12, 1.0, 1e6}) {
           const auto r = stress(law, reg, Dual<3>::input(shear, 0), Dual<3>::input(0.0, 1), Dual<3>::input(p, 2));
-          EXPECT_TRUE(std::isfinite(r.value) && std::isfinite(r.slope[0]) && std::isfinite(r.slope[1]) && std::isfinite(r.slope[2]))
+          EXPECT_TRUE(std::isfinite(r.value) && std::isfinite(r.slope[0]) && std::isfinite(r.slope[1]) &&
+                      std::isfinite(r.slope[2]))
               << rheology::name(law) << " shear " << shear << " p " << p;
           EXPECT_GE(r.value, 0.0);
         }
@@ -128,7 +132,8 @@ TEST(Viscosity, InertialNumberIsTheOneInsideTheFriction) {
 TEST(Viscosity, TracesDependOnAllThreeInputs) {
   using T = core::Trace<3>;
   for (const Cap cap : {Cap::none, Cap::hard, Cap::smooth}) {
-    const T r = rheology::viscosity(every_law[1], grains, Regularisation{1.0, 0.0, 0.0, 1e4, cap}, T::input(0), T::input(1), T::input(2));
+    const T r = rheology::viscosity(every_law[1], grains, Regularisation{1.0, 0.0, 0.0, 1e4, cap}, T::input(0),
+                                    T::input(1), T::input(2));
     EXPECT_EQ(r.inputs.count(), 3U);
   }
 }

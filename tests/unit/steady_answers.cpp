@@ -14,13 +14,16 @@ using steady::UniformFlow;
 
 constexpr double degree = std::numbers::pi / 180.0;
 const rheology::Classical base = rheology::classical(0.4, 0.9, 1.3);
-const Channel table_2{rheology::grains(2500.0, 0.6, 0.00073), rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003, 0.3727, 9.81};
+const Channel table_2{rheology::grains(2500.0, 0.6, 0.00073), rheology::partially_regularised(base, 1.3, 1.9, 0.05178),
+                      0.003, 0.3727, 9.81};
 const Channel classical_2{table_2.grains, base, table_2.gap, table_2.mu_w, table_2.gravity};
 
 TEST(Quadrature, IsExactForPolynomialsAndResolvesNearPolesAndSteepDecay) {
   EXPECT_NEAR(steady::gauss_panel([](double x) { return std::pow(x, 38); }, -1.0, 1.0), 2.0 / 39.0, 1e-15);
   const double delta = 1e-4;
-  EXPECT_NEAR(steady::integral([&](double x) { return delta / (delta * delta + x * x); }, 0.0, 1.0) / std::atan(1.0 / delta), 1.0, 1e-12);
+  EXPECT_NEAR(
+      steady::integral([&](double x) { return delta / (delta * delta + x * x); }, 0.0, 1.0) / std::atan(1.0 / delta),
+      1.0, 1e-12);
   EXPECT_NEAR(steady::integral([](double x) { return 500.0 * std::exp(-500.0 * x); }, 0.0, 1.0), 1.0, 1e-13);
   EXPECT_EQ(steady::integral([](double) { return 1.0; }, 1.0, 1.0), 0.0);
 }
@@ -30,7 +33,9 @@ TEST(UniformFlow, SpeedIsTheIntegralOfItsShearRate) {
   for (const double z : {-0.0005, -0.003, -0.005}) {
     const double h = 1e-7;
     const double shear = (flow->speed(z + h) - flow->speed(z - h)) / (2.0 * h);
-    EXPECT_NEAR(shear * table_2.grains.d / std::sqrt(-0.6 * 9.81 * z * std::cos(45.0 * degree)) / flow->inertial_number(z), 1.0, 1e-6);
+    EXPECT_NEAR(
+        shear * table_2.grains.d / std::sqrt(-0.6 * 9.81 * z * std::cos(45.0 * degree)) / flow->inertial_number(z), 1.0,
+        1e-6);
   }
   EXPECT_EQ(flow->speed(-0.1), 0.0);
   EXPECT_EQ(flow->inertial_number(-0.1), 0.0);
@@ -42,7 +47,8 @@ TEST(UniformFlow, PartsOfTheFluxAddUpAndSharesOfTheSpeedAreFound) {
   const double a = 0.002, b = 0.0021;
   const double between = steady::integral([&](double s) { return flow->speed(-s); }, a, b) * 4.5;
   EXPECT_NEAR((flow->flux_above(b) - flow->flux_above(a)) / between, 1.0, 1e-9);
-  for (const double share : {0.9, 0.5, 0.01}) EXPECT_NEAR(flow->speed(-flow->depth_at_share(share)) / flow->surface_speed(), share, 1e-10);
+  for (const double share : {0.9, 0.5, 0.01})
+    EXPECT_NEAR(flow->speed(-flow->depth_at_share(share)) / flow->surface_speed(), share, 1e-10);
   // DESIGN's measure of the layer: 2.7 mm at half the speed, 5.6 mm at one percent.
   EXPECT_NEAR(flow->depth_at_share(0.5), 2.7e-3, 0.1e-3);
   EXPECT_NEAR(flow->depth_at_share(0.01), 5.6e-3, 0.1e-3);
@@ -54,7 +60,8 @@ TEST(UniformFlow, PartsOfTheFluxAddUpAndSharesOfTheSpeedAreFound) {
 
 TEST(UniformFlow, ABaseCutsTheProfileByItsSpeedThere) {
   const auto heap = UniformFlow::at(table_2, 45.0 * degree), layer = UniformFlow::at(table_2, 45.0 * degree, 0.003);
-  for (const double z : {0.0, -0.001, -0.0029}) EXPECT_NEAR(layer->speed(z), heap->speed(z) - heap->speed(-0.003), 1e-14);
+  for (const double z : {0.0, -0.001, -0.0029})
+    EXPECT_NEAR(layer->speed(z), heap->speed(z) - heap->speed(-0.003), 1e-14);
   EXPECT_EQ(layer->depth(), 0.003);
   EXPECT_EQ(heap->depth(), -heap->z_st());
 }

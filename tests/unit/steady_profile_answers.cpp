@@ -11,8 +11,8 @@ using steady::RegularisedLayer;
 using steady::RegularisedProfile;
 
 const rheology::Classical base = rheology::classical(0.4, 0.9, 1.3);
-const steady::Channel table_2{rheology::grains(2500.0, 0.6, 0.00073), rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003,
-                              0.3727, 9.81};
+const steady::Channel table_2{rheology::grains(2500.0, 0.6, 0.00073),
+                              rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003, 0.3727, 9.81};
 const steady::Channel classical_2{table_2.grains, base, 0.003, 0.3727, 9.81};
 
 TEST(RegularisedProfile, BalancesTheWholeLayer) {
@@ -25,11 +25,13 @@ TEST(RegularisedProfile, BalancesTheWholeLayer) {
   double friction = 0.0;
   for (std::size_t i = 0; i + 1 < z.size(); ++i) {
     const double p = -0.5 * rho_g * std::cos(zeta) * (z[i] + z[i + 1]);
-    friction += (z[i] - z[i + 1]) * 2.0 * 0.3727 / 0.003 * rheology::positive_pressure(p, reg.p_0) * std::tanh(0.5 * (u[i] + u[i + 1]) / u_c);
+    friction += (z[i] - z[i + 1]) * 2.0 * 0.3727 / 0.003 * rheology::positive_pressure(p, reg.p_0) *
+                std::tanh(0.5 * (u[i] + u[i + 1]) / u_c);
   }
   const std::size_t n = z.size() - 1;
   const double rate = u[n - 1] / (z[n - 1] - z[n]), p_base = -0.5 * rho_g * std::cos(zeta) * (z[n - 1] + z[n]);
-  const double on_base = rate * rheology::viscosity(table_2.law, table_2.grains, reg, 0.25 * rate * rate, std::hypot(1e-3, 1e-5 / H), p_base);
+  const double on_base = rate * rheology::viscosity(table_2.law, table_2.grains, reg, 0.25 * rate * rate,
+                                                    std::hypot(1e-3, 1e-5 / H), p_base);
   EXPECT_NEAR((friction + on_base) / (rho_g * std::sin(zeta) * H), 1.0, 1e-3);
   EXPECT_GT(on_base, 0.01 * friction);
 }
@@ -62,7 +64,8 @@ TEST(RegularisedProfile, NoSteadyStateIsAnAnswer) {
   EXPECT_FALSE(large);
   EXPECT_NE(large.reason().find("no steady slope carries Q = 0.1"), std::string::npos) << large.reason();
   EXPECT_NE(large.reason().find("cannot carry the stress"), std::string::npos) << large.reason();
-  EXPECT_FALSE(RegularisedProfile::at({{table_2.grains, rheology::constant(0.4), 0.003, 0.3727, 9.81}, {}, 1e-3, 0.05}, 0.5));
+  EXPECT_FALSE(
+      RegularisedProfile::at({{table_2.grains, rheology::constant(0.4), 0.003, 0.3727, 9.81}, {}, 1e-3, 0.05}, 0.5));
 }
 
 TEST(RegularisedProfile, BadInputIsRefused) {

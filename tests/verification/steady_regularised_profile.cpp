@@ -8,7 +8,8 @@
 
 #include "steady/uniform_flow.hpp"
 
-/// The regularised steady layer against exact solutions, against an independent time-dependent code, and under refinement.
+/// The regularised steady layer against exact solutions, against an independent time-dependent code, and under
+/// refinement.
 namespace {
 using namespace talus;
 using steady::RegularisedLayer;
@@ -16,8 +17,8 @@ using steady::RegularisedProfile;
 
 constexpr double degree = std::numbers::pi / 180.0;
 const rheology::Classical base = rheology::classical(0.4, 0.9, 1.3);
-const steady::Channel table_2{rheology::grains(2500.0, 0.6, 0.00073), rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003,
-                              0.3727, 9.81};
+const steady::Channel table_2{rheology::grains(2500.0, 0.6, 0.00073),
+                              rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003, 0.3727, 9.81};
 
 double off(double value, double reference) { return std::abs(value / reference - 1.0); }
 
@@ -27,7 +28,8 @@ double order(const std::vector<double>& errors) {
 }
 
 TEST(RegularisedProfile, ConvergesAtSecondOrder) {
-  const RegularisedLayer smooth{{table_2.grains, base, 0.003, 0.3727, 9.81}, {}, 1e-3, 0.012}, creeping{table_2, {}, 1e-3, 0.012};
+  const RegularisedLayer smooth{{table_2.grains, base, 0.003, 0.3727, 9.81}, {}, 1e-3, 0.012},
+      creeping{table_2, {}, 1e-3, 0.012};
   for (const auto& [layer, zeta] : {std::pair{smooth, 38.0}, std::pair{creeping, 45.0}}) {
     const auto finest = RegularisedProfile::at(layer, zeta * degree, 16000);
     std::vector<double> flux, speed;
@@ -45,7 +47,8 @@ TEST(RegularisedProfile, ConvergesAtSecondOrder) {
 
 TEST(RegularisedProfile, TendsToTheExactFlowAsWallFrictionSharpens) {
   const auto exact = steady::UniformFlow::at(table_2, 45.0 * degree);
-  // Steady surface speeds of an independent method-of-lines code in 400 cells (order 1.4, error 1e-5 m/s), layer of 12 mm.
+  // Steady surface speeds of an independent method-of-lines code in 400 cells (order 1.4, error 1e-5 m/s), layer of 12
+  // mm.
   const std::vector<std::pair<double, double>> other{{1e-3, 0.239448}, {1e-4, 0.238471}, {1e-5, 0.238374}};
   for (const auto& [u_c, surface_speed] : other) {
     const auto profile = RegularisedProfile::at({table_2, {}, u_c, 0.012}, 45.0 * degree, 8000);
@@ -54,7 +57,8 @@ TEST(RegularisedProfile, TendsToTheExactFlowAsWallFrictionSharpens) {
     EXPECT_NEAR((profile->surface_speed() - exact->surface_speed()) / u_c, 1.1, 0.1) << u_c;
   }
   const auto sharp = RegularisedProfile::at({table_2, {}, 1e-7, 0.012}, 45.0 * degree, 8000);
-  for (const double z : {0.0, -0.0003, -0.001, -0.0025, -0.004}) EXPECT_LT(off(sharp->speed(z), exact->speed(z)), 1e-5) << z;
+  for (const double z : {0.0, -0.0003, -0.001, -0.0025, -0.004})
+    EXPECT_LT(off(sharp->speed(z), exact->speed(z)), 1e-5) << z;
   EXPECT_LT(off(sharp->flux(), exact->flux()), 1e-5);
 }
 
@@ -72,7 +76,8 @@ TEST(RegularisedProfile, FullyCappedIsANewtonianFilm) {
   const RegularisedLayer film{open, {.eta_max = eta, .cap = rheology::Cap::hard}, 1e-3, H};
   const auto profile = RegularisedProfile::at(film, zeta);
   const double weight = open.grains.rho() * open.gravity * std::sin(zeta);
-  for (const double z : {0.0, -0.002, -0.007}) EXPECT_LT(off(profile->speed(z), weight * (H * H - z * z) / (2.0 * eta)), 3e-6) << z;
+  for (const double z : {0.0, -0.002, -0.007})
+    EXPECT_LT(off(profile->speed(z), weight * (H * H - z * z) / (2.0 * eta)), 3e-6) << z;
   EXPECT_LT(off(profile->flux(), open.grains.rho() * open.gap * weight * H * H * H / (3.0 * eta)), 3e-6);
 }
 
@@ -91,7 +96,8 @@ TEST(RegularisedProfile, IsFoundFromRestOverTheWholeRangeOfScales) {
 }
 
 TEST(RegularisedProfile, SlopeOfFluxApproachesTheExactSlopeFromBelow) {
-  for (const auto& [Q, exact] : {std::pair{0.0020, 44.0963873575666}, std::pair{0.0046, 48.8125930897339}, std::pair{0.0060, 50.4151895425335}}) {
+  for (const auto& [Q, exact] : {std::pair{0.0020, 44.0963873575666}, std::pair{0.0046, 48.8125930897339},
+                                 std::pair{0.0060, 50.4151895425335}}) {
     const auto sharp = steady::slope_of_flux({table_2, {}, 1e-6, 0.1}, Q);
     ASSERT_TRUE(sharp) << sharp.reason();
     EXPECT_NEAR(*sharp / degree, exact, 3e-4);

@@ -8,7 +8,8 @@
 
 #include "support/reference.hpp"
 
-/// The exact steady uniform flow against independent 25-digit values: tables 1 and 2 and the cases of figures 20 and 21.
+/// The exact steady uniform flow against independent 25-digit values: tables 1 and 2 and the cases of figures 20 and
+/// 21.
 namespace {
 using namespace talus;
 using nlohmann::json;
@@ -18,16 +19,19 @@ using steady::UniformFlow;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double tolerance = 1e-10;
 
-double off(double value, double reference) { return reference == 0.0 ? std::abs(value) : std::abs(value / reference - 1.0); }
+double off(double value, double reference) {
+  return reference == 0.0 ? std::abs(value) : std::abs(value / reference - 1.0);
+}
 
 const json& cases() {
-  static const json all = support::reference("steady_uniform.json")["cases"];
+  static const json all = support::reference("steady_uniform.json").at("cases");
   return all;
 }
 
 Channel channel_of(const json& p, const std::string& law) {
-  return {support::grains_of(p), law == "partial" ? rheology::Law(support::partial_of(p)) : rheology::Law(support::classical_of(p)),
-          p["W"], p["mu_w"], p["g"]};
+  return {support::grains_of(p),
+          law == "partial" ? rheology::Law(support::partial_of(p)) : rheology::Law(support::classical_of(p)), p["W"],
+          p["mu_w"], p["g"]};
 }
 
 TEST(UniformFlow, ProfilesFluxesAndDepthsEqualTheReference) {
@@ -37,7 +41,8 @@ TEST(UniformFlow, ProfilesFluxesAndDepthsEqualTheReference) {
       for (const std::string law : {"partial", "classical"}) {
         const auto& exact = row[law];
         const auto flow = UniformFlow::at(channel_of(each["parameters"], law), row["zeta_deg"].get<double>() * degree);
-        ASSERT_EQ(static_cast<bool>(flow), exact.is_object()) << each["name"] << law << row["zeta_deg"] << flow.reason();
+        ASSERT_EQ(static_cast<bool>(flow), exact.is_object())
+            << each["name"] << law << row["zeta_deg"] << flow.reason();
         if (!flow) {
           ++unsolvable;
           continue;
@@ -64,9 +69,7 @@ TEST(UniformFlow, SlopeOfFluxEqualsTheReference) {
         const auto& exact = row["zeta_" + law + "_deg"];
         const auto zeta = steady::slope_of_flux(channel_of(each["parameters"], law), row["Q"]);
         ASSERT_EQ(static_cast<bool>(zeta), exact.is_number()) << each["name"] << law << row["Q"];
-        if (zeta) {
-          EXPECT_LT(off(*zeta / degree, exact), tolerance) << each["name"] << law << row["Q"];
-        }
+        if (zeta) { EXPECT_LT(off(*zeta / degree, exact), tolerance) << each["name"] << law << row["Q"]; }
       }
 }
 
@@ -80,12 +83,8 @@ TEST(UniformFlow, FluxFollowsGapAndWallFriction) {
         const auto flow = UniformFlow::at(channel_of(p, law), row["zeta_deg"].get<double>() * degree);
         const auto& exact = row["Q_" + law];
         ASSERT_EQ(static_cast<bool>(flow), exact.is_number());
-        if (flow) {
-          EXPECT_LT(off(flow->flux(), exact), tolerance);
-        }
-        if (law == "partial") {
-          EXPECT_LT(off(flow->surface_speed(), row["u_surf"]), tolerance);
-        }
+        if (flow) { EXPECT_LT(off(flow->flux(), exact), tolerance); }
+        if (law == "partial") { EXPECT_LT(off(flow->surface_speed(), row["u_surf"]), tolerance); }
       }
 }
 
@@ -115,7 +114,8 @@ TEST(UniformFlow, LargestClassicalFluxIsClosedFormAndApproached) {
     EXPECT_LT(off(steady::maximal_flux(channel).value(), each["Q_max_classical"]), 1e-12) << each["name"];
     const double steepest = std::atan(each["parameters"]["mu_d"].get<double>());
     EXPECT_LT(off(steepest / degree, each["zeta_max_classical_deg"]), 1e-12);
-    EXPECT_LT(off(UniformFlow::at(channel, steepest * (1.0 - 1e-14))->flux(), each["Q_max_classical"]), 1e-9) << each["name"];
+    EXPECT_LT(off(UniformFlow::at(channel, steepest * (1.0 - 1e-14))->flux(), each["Q_max_classical"]), 1e-9)
+        << each["name"];
     EXPECT_FALSE(steady::maximal_flux(channel_of(each["parameters"], "partial")).has_value());
   }
 }
