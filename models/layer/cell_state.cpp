@@ -20,10 +20,10 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   const Parameters& par = layer.parameters();
   std::array<Index, CentreSlots::n_in> in{};
   CentreSlots::connect(layer.unknowns(), i, k, in);
-  std::array<double, CentreSlots::n_in> v{};
-  for (int j = 0; j < CentreSlots::n_in; ++j) v[j] = read(y, in[j]);
-  const std::array<double, 5> no_rate{};
-  const Heights<double> g(c, i - 2, &v[CentreSlots::H_], no_rate.data());
+  fv::Inputs<double, CentreSlots::n_in> inputs{};
+  for (int j = 0; j < CentreSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
+  const auto& v = inputs.y;
+  const Heights<double, CentreSlots::n_in> g(c, i - 2, inputs, CentreSlots::H_);
   const auto strain = centre_strain(g, k, layer.columns().n_layers, layer.columns().dx(), v);
   const double D_squared = strain.D_xx * strain.D_xx + strain.D_xz * strain.D_xz;
   const auto& reg = par.regularisation;

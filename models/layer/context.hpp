@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/scalar.hpp"
+#include "fv/term.hpp"
 #include "grid/columns.hpp"
 #include "grid/layering.hpp"
 #include "layer/parameters.hpp"
@@ -22,49 +24,96 @@ struct Context {
   }
 };
 
-/// Heights and slopes of the grid as a kernel sees them, over M neighbouring columns numbered 0..M-1 from `first` on.
-/// "face c" is the face on the left of column c. Every quantity carries its dependence on the thicknesses `H` of the
-/// kernel's inputs; `rate` are their time derivatives.
-template <class S>
-class Heights {
- public:
-  Heights(const Context& context, int first, const S* H, const S* rate)
-      : c_(context), first_(first), H_(H), rate_(rate), dx_(context.columns.dx()) {}
+namespace detail {
 
-  [[nodiscard]] const S& H(int c) const { return H_[c]; }
+/// Scalar in which geometry is computed: a dual over the few thicknesses alone, widened to the kernel's inputs at the end.
+inline constexpr int most_columns = 5;
+template <class S>
+struct Geometric {
+  using type = S;
+  static const S& narrow(const S& x, int /*slot*/) { return x; }
+  static const S& widen(const S& x, int /*slot*/) { return x; }
+};
+template <int N>
+struct Geometric<core::Dual<N>> {
+  using type = core::Dual<most_columns>;
+  static type narrow(const core::Dual<N>& x, int slot) {
+    type r(x.value);
+    for (int c = 0; c < most_columns && slot + c < N; ++c) r.slope[c] = x.slope[slot + c];
+    return r;
+  }
+  static core::Dual<N> widen(const type& x, int slot) {
+    core::Dual<N> r(x.value);
+    for (int c = 0; c < most_columns && slot + c < N; ++c) r.slope[slot + c] = x.slope[c];
+    return r;
+  }
+};
+
+}  // namespace detail
+
+/// Heights and slopes of the grid as a kernel sees them, over neighbouring columns numbered 0, 1, ... from `first` on, whose
+/// thicknesses are the kernel's last inputs, from `slot` on. "Face c" is the face on the left of column c. Every quantity
+/// carries its dependence on the thicknesses and their rates.
+template <class S, int N>
+class Heights {
+  using Geometric = detail::Geometric<S>;
+  using G = typename Geometric::type;
+
+ public:
+  Heights(const Context& context, int first, const fv::Inputs<S, N>& in, int slot)
+      : c_(context), first_(first), slot_(slot), dx_(context.columns.dx()) {
+    static_assert(N >= 1);
+    for (int c = 0; slot + c < N; ++c) {
+      H_[c] = Geometric::narrow(in.y[slot + c], slot);
+      rate_[c] = Geometric::narrow(in.rate[slot + c], slot);
+    }
+  }
+
+  [[nodiscard]] S H(int c) const { return wide(H_[c]); }
   /// Height of interface k above the base [m].
-  [[nodiscard]] S z(int c, int k) const {
-    const auto a = c_.at(first_ + c, k);
-    return core::lift(c_.z[a], c_.dz[a], H_[c]);
-  }
-  /// Velocity of interface k [m/s].
-  [[nodiscard]] S z_rate(int c, int k) const {
-    const auto a = c_.at(first_ + c, k);
-    return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
-  }
+  [[nodiscard]] S z(int c, int k) const { return wide(z_at(c, k)); }
+  /// Velocity of interface k of face c [m/s].
+  [[nodiscard]] S z_face_rate(int c, int k) const { return wide(0.5 * (rate_at(c - 1, k) + rate_at(c, k))); }
   /// Thickness of layer k in a column and at a face [m].
-  [[nodiscard]] S h(int c, int k) const { return z(c, k + 1) - z(c, k); }
-  [[nodiscard]] S h_face(int c, int k) const { return 0.5 * (h(c - 1, k) + h(c, k)); }
+  [[nodiscard]] S h(int c, int k) const { return wide(z_at(c, k + 1) - z_at(c, k)); }
+  [[nodiscard]] S h_face(int c, int k) const {
+    return wide(0.5 * (z_at(c - 1, k + 1) - z_at(c - 1, k) + z_at(c, k + 1) - z_at(c, k)));
+  }
+  /// Slope of the middle of layer k between the columns beside face c, as these two alone see it [1].
+  [[nodiscard]] S rise(int c, int k) const {
+    return wide((z_at(c, k) + z_at(c, k + 1) - z_at(c - 1, k) - z_at(c - 1, k + 1)) * (0.5 / dx_) + base_slope());
+  }
   /// dz/dx of interface k at column c, across its two faces [1]. A uniform velocity (u, w) is omega = w - u slope: the same
   /// slopes, averaged, turn omega back into w, so that a uniform flow stays uniform on any grid, moving or not.
-  [[nodiscard]] S slope(int c, int k) const {
-    return (z(c + 1, k) - z(c - 1, k)) * (0.5 / dx_) + c_.parameters->box.base_slope;
-  }
-  [[nodiscard]] S slope_rate(int c, int k) const { return (z_rate(c + 1, k) - z_rate(c - 1, k)) * (0.5 / dx_); }
+  [[nodiscard]] S slope(int c, int k) const { return wide(slope_at(c, k)); }
   /// Slope at interface k of face c, and at the middle of layer k of face c and of column c.
-  [[nodiscard]] S slope_corner(int c, int k) const { return 0.5 * (slope(c - 1, k) + slope(c, k)); }
-  [[nodiscard]] S slope_face(int c, int k) const { return 0.5 * (slope_corner(c, k) + slope_corner(c, k + 1)); }
-  [[nodiscard]] S slope_centre(int c, int k) const { return 0.5 * (slope(c, k) + slope(c, k + 1)); }
+  [[nodiscard]] S slope_corner(int c, int k) const { return wide(0.5 * (slope_at(c - 1, k) + slope_at(c, k))); }
+  [[nodiscard]] S slope_face(int c, int k) const {
+    return wide(0.25 * (slope_at(c - 1, k) + slope_at(c, k) + slope_at(c - 1, k + 1) + slope_at(c, k + 1)));
+  }
+  [[nodiscard]] S slope_centre(int c, int k) const { return wide(0.5 * (slope_at(c, k) + slope_at(c, k + 1))); }
   [[nodiscard]] S slope_face_rate(int c, int k) const {
-    return 0.25 * (slope_rate(c - 1, k) + slope_rate(c, k) + slope_rate(c - 1, k + 1) + slope_rate(c, k + 1));
+    return wide(0.25 * (slope_rate_at(c - 1, k) + slope_rate_at(c, k) + slope_rate_at(c - 1, k + 1) + slope_rate_at(c, k + 1)));
   }
 
  private:
+  [[nodiscard]] S wide(const G& x) const { return Geometric::widen(x, slot_); }
+  [[nodiscard]] double base_slope() const { return c_.parameters->box.base_slope; }
+  [[nodiscard]] G z_at(int c, int k) const {
+    const auto a = c_.at(first_ + c, k);
+    return core::lift(c_.z[a], c_.dz[a], H_[c]);
+  }
+  [[nodiscard]] G rate_at(int c, int k) const {
+    const auto a = c_.at(first_ + c, k);
+    return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
+  }
+  [[nodiscard]] G slope_at(int c, int k) const { return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope(); }
+  [[nodiscard]] G slope_rate_at(int c, int k) const { return (rate_at(c + 1, k) - rate_at(c - 1, k)) * (0.5 / dx_); }
+
   const Context& c_;
-  int first_;
-  const S* H_;
-  const S* rate_;
+  int first_, slot_;
   double dx_;
+  std::array<G, detail::most_columns> H_, rate_;
 };
 
 }  // namespace talus::layer

@@ -58,6 +58,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at)
   if (par.inflow.rate > 0.0) {
     add(JetSource{at});
     add(Poured{at});
+    if (par.inflow.momentum) add(JetMomentum{at});
   }
   add(Acceleration{at});
   if (par.numerics.advection != Advection::none) {

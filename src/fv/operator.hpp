@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <future>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -10,6 +11,9 @@
 namespace talus::fv {
 
 /// The sum of a list of terms: residual, exact sparse Jacobian and its pattern, all from the same kernels.
+///
+/// Terms are summed in four parts of their places, first and third, then second and fourth: two parts that share no row can be
+/// summed by two threads. The order of every sum is the same whether they are or not: same input, same bits.
 template <class Context>
 class Operator {
  public:
@@ -21,24 +25,57 @@ class Operator {
     for (const auto& term : terms_) term->append_pattern(context, entries);
     pattern_ = core::SparsePattern(n, std::move(entries));
     for (const auto& term : terms_) term->bind(context, pattern_);
+    in_threads_ = n >= least_unknowns_for_threads && disjoint(0, 2) && disjoint(1, 3);
   }
 
   [[nodiscard]] const core::SparsePattern& pattern() const { return pattern_; }
 
   void residual(const Context& context, std::span<const double> y, std::span<const double> yp, std::span<double> r) const {
     std::fill(r.begin(), r.end(), 0.0);
-    for (const auto& term : terms_) term->add_residual(context, y, yp, r);
+    in_parts([&](Part part) {
+      for (const auto& term : terms_) term->add_residual(context, part, y, yp, r);
+    });
   }
 
   void jacobian(const Context& context, std::span<const double> y, std::span<const double> yp, double c_j,
                 std::span<double> values) const {
     std::fill(values.begin(), values.end(), 0.0);
-    for (const auto& term : terms_) term->add_jacobian(context, y, yp, c_j, values);
+    in_parts([&](Part part) {
+      for (const auto& term : terms_) term->add_jacobian(context, part, y, yp, c_j, values);
+    });
   }
 
  private:
+  static constexpr int n_parts = 4;
+  static constexpr Index least_unknowns_for_threads = 2000;  ///< below, starting a thread costs more than it saves
+
+  [[nodiscard]] bool disjoint(int first, int second) const {
+    std::vector<bool> used(pattern_.n(), false);
+    std::vector<Index> rows;
+    for (const auto& term : terms_) term->append_rows({first, n_parts}, rows);
+    for (const Index row : rows) used[row] = true;
+    rows.clear();
+    for (const auto& term : terms_) term->append_rows({second, n_parts}, rows);
+    return std::none_of(rows.begin(), rows.end(), [&](Index row) { return used[row]; });
+  }
+
+  template <class Sum>
+  void in_parts(const Sum& sum) const {
+    for (const int first : {0, 1}) {
+      if (in_threads_) {
+        auto other = std::async(std::launch::async, [&] { sum(Part{first + 2, n_parts}); });
+        sum(Part{first, n_parts});
+        other.get();
+      } else {
+        sum(Part{first, n_parts});
+        sum(Part{first + 2, n_parts});
+      }
+    }
+  }
+
   Terms terms_;
   core::SparsePattern pattern_;
+  bool in_threads_ = false;
 };
 
 }  // namespace talus::fv

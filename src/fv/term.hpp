@@ -21,6 +21,13 @@ struct Inputs {
   std::array<S, N> rate;
 };
 
+/// One of `of` parts of a term's places, in their order.
+struct Part {
+  int number, of;
+  [[nodiscard]] std::size_t begin(std::size_t n) const { return n * number / of; }
+  [[nodiscard]] std::size_t end(std::size_t n) const { return n * (number + 1) / of; }
+};
+
 /// A term of the semi-discrete equations: one stencil kernel applied at many places. A kernel is any class with
 ///
 ///     static constexpr int n_in, n_out;    // unknowns read, rows added to
@@ -40,11 +47,14 @@ class Term {
   virtual void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const = 0;
   /// Prepares the positions of the Jacobian entries in `pattern`; called once.
   virtual void bind(const Context& context, const core::SparsePattern& pattern) = 0;
-  virtual void add_residual(const Context& context, std::span<const double> y, std::span<const double> yp,
+  /// Adds the places of one of n_parts equal parts to the residual.
+  virtual void add_residual(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
                             std::span<double> r) const = 0;
-  /// Adds dF/dy + c_j dF/dy' to `values`, in the order of the bound pattern.
-  virtual void add_jacobian(const Context& context, std::span<const double> y, std::span<const double> yp, double c_j,
-                            std::span<double> values) const = 0;
+  /// Adds dF/dy + c_j dF/dy' of a part to `values`, in the order of the bound pattern.
+  virtual void add_jacobian(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
+                            double c_j, std::span<double> values) const = 0;
+  /// Appends the rows that a part adds to.
+  virtual void append_rows(Part part, std::vector<Index>& rows) const = 0;
 };
 
 namespace detail {
@@ -78,11 +88,17 @@ class KernelTerm final : public Term<Context> {
     }
   }
 
-  void add_residual(const Context& context, std::span<const double> y, std::span<const double> yp,
+  void append_rows(Part part, std::vector<Index>& rows) const override {
+    for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place)
+      for (const Index row : out_[place])
+        if (row >= 0) rows.push_back(row);
+  }
+
+  void add_residual(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
                     std::span<double> r) const override {
     Inputs<double, n_in> inputs{};
     std::array<double, n_out> out{};
-    for (std::size_t place = 0; place < in_.size(); ++place) {
+    for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
       for (int i = 0; i < n_in; ++i) {
         const Index index = in_[place][i];
         inputs.y[i] = index < 0 ? 0.0 : y[index];
@@ -95,11 +111,11 @@ class KernelTerm final : public Term<Context> {
     }
   }
 
-  void add_jacobian(const Context& context, std::span<const double> y, std::span<const double> yp, double c_j,
+  void add_jacobian(const Context& context, Part part, std::span<const double> y, std::span<const double> yp, double c_j,
                     std::span<double> values) const override {
     Inputs<Dual, n_in> inputs;
     std::array<Dual, n_out> out;
-    for (std::size_t place = 0; place < in_.size(); ++place) {
+    for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
       for (int i = 0; i < n_in; ++i) {
         const Index index = in_[place][i];
         inputs.y[i] = index < 0 ? Dual(0.0) : Dual::input(y[index], i);

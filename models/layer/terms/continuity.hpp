@@ -28,7 +28,7 @@ struct FaceFlux : Kernel {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
     const Parameters& par = *c.parameters;
-    const Heights<S> g(c, f - 1, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, f - 1, in, H_);
     const S F = flux_through(par.numerics, g, left_end(f), right_end(f), 1, k, in.y[u_]);
     const S volume_rate = F / columns.dx();
     out[0] += volume_rate;

@@ -38,7 +38,7 @@ struct WallFriction : Kernel {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
     const Parameters& par = *c.parameters;
-    const Heights<S> g(c, f - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, f - 2, in, H_);
     const S slope = g.slope_face(2, k);
     const S& u = in.y[u_];
     const S w = u * slope + 0.25 * (in.y[omega_] + in.y[omega_ + 1] + in.y[omega_ + 2] + in.y[omega_ + 3]);
@@ -67,9 +67,8 @@ struct PressureAlong : Kernel {
     const int f = across(place), k = layer(place);
     const Box& box = c.parameters->box;
     const double rho = c.parameters->grains.rho();
-    const Heights<S> g(c, f - 1, &in.y[H_], &in.rate[H_]);
-    const S rise = 0.5 * (g.z(1, k) + g.z(1, k + 1) - g.z(0, k) - g.z(0, k + 1)) / columns.dx() + box.base_slope;
-    const S weight = (rho * box.gravity * width(f)) * (std::sin(box.tilt) - std::cos(box.tilt) * rise);
+    const Heights<S, n_in> g(c, f - 1, in, H_);
+        const S weight = (rho * box.gravity * width(f)) * (std::sin(box.tilt) - std::cos(box.tilt) * g.rise(1, k));
     out[0] += g.h_face(1, k) * ((in.y[p_ + 1] - in.y[p_]) / columns.dx() - weight);
   }
 };
@@ -89,7 +88,7 @@ struct PressureAcross : Kernel {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place) + 1;
     const Box& box = c.parameters->box;
-    const Heights<S> g(c, i, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, i, in, H_);
     const S between = k < columns.n_layers ? S(0.5 * (g.h(0, k - 1) + g.h(0, k))) : S(0.5 * g.h(0, k - 1));
     out[0] += in.y[p_ + 1] - in.y[p_] + (c.parameters->grains.rho() * box.gravity * std::cos(box.tilt)) * between;
   }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
+
 #include "layer/film.hpp"
+#include "layer/jet.hpp"
 #include "layer/terms/kernel.hpp"
 
 namespace talus::layer {
@@ -31,7 +34,7 @@ struct Acceleration : Kernel {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
-    const Heights<S> g(c, f - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, f - 2, in, H_);
     const S slope = g.slope_face(2, k);
     const S& a_x = in.rate[u_];
     S a_z = a_x * slope + in.y[u_] * g.slope_face_rate(2, k);
@@ -65,7 +68,7 @@ struct ConvectionAlong : Kernel {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place);
     const Numerics& n = c.parameters->numerics;
-    const Heights<S> g(c, i - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, i - 2, in, H_);
     const S& u_left = in.y[u_];
     const S& u_right = in.y[u_ + 1];
     const S m = (0.5 * c.parameters->grains.rho() / columns.dx()) *
@@ -110,10 +113,10 @@ struct ConvectionAcross : Kernel {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = face_of(place), k = interface_of(place);
-    const Heights<S> g(c, f - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, f - 2, in, H_);
     std::array<S, 3> omega;  // on interfaces k - 1, k, k + 1
     for (int j = 0; j < 3; ++j) omega[j] = 0.5 * (in.y[omega_ + j] + in.y[omega_ + 3 + j]);
-    const S grid_speed = 0.5 * (g.z_rate(1, k) + g.z_rate(2, k));
+    const S grid_speed = g.z_face_rate(2, k);
     const double rho = c.parameters->grains.rho();
     const S m = (rho * width(f)) * (omega[1] - grid_speed);
     const S& u_below = in.y[u_];
@@ -130,6 +133,42 @@ struct ConvectionAcross : Kernel {
     };
     leave(u_below, k - 1, 1.0, 0);
     leave(u_above, k, -1.0, 5);
+  }
+};
+
+/// The momentum that the jet brings to the uppermost volumes: it arrives with the speed of its free fall from the inlet.
+struct JetMomentum : Kernel {
+  static constexpr int n_in = 9, n_out = 5;
+  enum In { u_, omega_, H_ = 5 };
+
+  [[nodiscard]] Index n_places() const { return columns.n_faces(); }
+  void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
+    const int f = static_cast<int>(place), k = columns.n_layers - 1;
+    const auto& y = unknowns;
+    in = {y.u(f, k),  y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1),
+          y.H(f - 2), y.H(f - 1),        y.H(f),        y.H(f + 1)};
+    connect_momentum(y, f, k, out, 0);
+  }
+  template <class S>
+  void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
+    using std::sqrt;
+    using core::sqrt;
+    const Parameters& par = *c.parameters;
+    const int f = static_cast<int>(place), k = columns.n_layers - 1;
+    if (!columns.has_column(f - 1) || !columns.has_column(f)) return;
+    const Heights<S, n_in> g(c, f - 2, in, H_);
+    const S q = 0.5 * (jet_rate(par, columns, columns.column(f - 1), S(0.5 * (g.H(0) + g.H(1))), S(0.5 * (g.H(1) + g.H(2))), c.t) +
+                       jet_rate(par, columns, columns.column(f), S(0.5 * (g.H(1) + g.H(2))), S(0.5 * (g.H(2) + g.H(3))), c.t));
+    const double lean = par.inflow.along_gravity ? par.box.tilt : 0.0;
+    const S fall = core::select_above(
+        S(par.box.height - 0.5 * (g.H(1) + g.H(2))), 0.0, [&] { return S(par.box.height - 0.5 * (g.H(1) + g.H(2))); },
+        [] { return S(0.0); });
+    const S speed = sqrt(2.0 * par.box.gravity * fall / std::cos(lean) + rheology::tiny_speed);
+    const S slope = g.slope_face(2, k);
+    const S& u = in.y[u_];
+    const S w = u * slope + 0.25 * (in.y[omega_] + in.y[omega_ + 1] + in.y[omega_ + 2] + in.y[omega_ + 3]);
+    const S m = par.grains.rho() * q;
+    scatter_momentum(S(m * (u - std::sin(lean) * speed)), S(m * (w + std::cos(lean) * speed)), slope, out, 0);
   }
 };
 

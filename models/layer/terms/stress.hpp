@@ -47,8 +47,8 @@ struct CornerSlots {
   }
 };
 
-template <class S>
-CornerStrain<S> corner_strain(const Heights<S>& g, int k, double dx, const std::array<S, CornerSlots::n_in>& y) {
+template <class S, int N>
+CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, const std::array<S, CornerSlots::n_in>& y) {
   const S* omega_left = &y[CornerSlots::omega_];
   const S* omega_right = omega_left + 3;
   const auto omega = [&](int j) { return S(0.5 * (omega_left[j] + omega_right[j])); };
@@ -67,8 +67,8 @@ CornerStrain<S> corner_strain(const Heights<S>& g, int k, double dx, const std::
 }
 
 /// Pressure at a corner, linear between the layers on both sides, so that a lithostatic pressure is exact.
-template <class S>
-S corner_pressure(const Heights<S>& g, int k, const std::array<S, CornerSlots::n_in>& y) {
+template <class S, int N>
+S corner_pressure(const Heights<S, N>& g, int k, const std::array<S, CornerSlots::n_in>& y) {
   const S p_k = 0.5 * (y[CornerSlots::p_ + 2] + y[CornerSlots::p_ + 3]);
   const S p_other = 0.5 * (y[CornerSlots::p_] + y[CornerSlots::p_ + 1]);
   if (k == 0) return p_k + (p_k - p_other) * g.h_face(2, 0) / (g.h_face(2, 0) + g.h_face(2, 1));
@@ -96,7 +96,7 @@ struct CornerStress : Kernel, CornerSlots {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
-    const Heights<S> g(c, f - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, f - 2, in, H_);
     const auto strain = corner_strain(g, k, columns.dx(), in.y);
     const S p = corner_pressure(g, k, in.y);
     const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, p, S(0.5 * (g.H(1) + g.H(2))));
@@ -129,8 +129,8 @@ struct CentreSlots {
   }
 };
 
-template <class S>
-CornerStrain<S> centre_strain(const Heights<S>& g, int k, int n_layers, double dx,
+template <class S, int N>
+CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, double dx,
                               const std::array<S, CentreSlots::n_in>& y) {
   const auto u = [&](int j) { return S(0.5 * (y[j] + y[3 + j])); };
   const auto omega_mean = [&](int c) { return S(0.5 * (y[CentreSlots::omega_ + 2 * c] + y[CentreSlots::omega_ + 2 * c + 1])); };
@@ -164,7 +164,7 @@ struct CentreStress : Kernel, CentreSlots {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place);
-    const Heights<S> g(c, i - 2, &in.y[H_], &in.rate[H_]);
+    const Heights<S, n_in> g(c, i - 2, in, H_);
     const auto strain = centre_strain(g, k, columns.n_layers, columns.dx(), in.y);
     const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, in.y[p_], g.H(2));
     const S area = g.h(2, k) / columns.dx();
