@@ -55,7 +55,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view text) 
   Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file.valid() || !write_all(file.number(), text) || ::fsync(file.number()) != 0 || !file.close()) fail();
   if (::rename(aside.c_str(), path.c_str()) != 0) fail();
-  // The new name itself lives in the folder. Some file systems cannot bring a folder to disk: the text is safe regardless.
+  // The new name itself lives in the folder. Some file systems cannot bring a folder to disk: the text is safe
+  // regardless.
   const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.valid()) ::fsync(directory.number());
 }

@@ -5,8 +5,9 @@
 
 namespace talus::output {
 
-/// Puts `text` at `path` in one piece: written beside it, brought to disk, then renamed over it. A reader, or a crash at any
-/// moment, finds the old text or the new one, never a part. Throws OutputError(output_failed), leaving `path` as it was.
+/// Puts `text` at `path` in one piece: written beside it, brought to disk, then renamed over it. A reader, or a crash
+/// at any moment, finds the old text or the new one, never a part. Throws OutputError(output_failed), leaving `path` as
+/// it was.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace talus::output

@@ -19,7 +19,7 @@ class CombinedFields : public core::FieldSource {
 
  private:
   std::vector<std::reference_wrapper<core::FieldSource>> sources_;
-  std::vector<std::size_t> n_variables_;             ///< of each source
+  std::vector<std::size_t> n_variables_;                  ///< of each source
   std::vector<std::vector<std::vector<double>>> values_;  ///< of each source, kept to reuse their storage
 };
 

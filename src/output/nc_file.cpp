@@ -9,8 +9,8 @@ namespace talus::output {
 
 namespace {
 
-/// HDF5 flushes files that could not be closed once more when the process exits, and crashes there. Handlers run last in,
-/// first out: this one ends the process, with the status it was going to have, before HDF5's gets its turn.
+/// HDF5 flushes files that could not be closed once more when the process exits, and crashes there. Handlers run last
+/// in, first out: this one ends the process, with the status it was going to have, before HDF5's gets its turn.
 void exit_before_hdf5() noexcept {
   static const int registered = on_exit(
       [](int status, void*) {
@@ -30,7 +30,8 @@ void check(int status, core::ExitCode code, const std::string& what) {
 NcFile::NcFile(const std::filesystem::path& path, bool replace) : path_(path) {
   if (!replace && std::filesystem::exists(path))
     throw core::OutputError(core::ExitCode::io_setup, path.string() + " exists already and is not replaced");
-  // HDF5's lock would shut out readers of a running job, and fails on many network drives. HDF5 reads this once, at its start.
+  // HDF5's lock would shut out readers of a running job, and fails on many network drives. HDF5 reads this once, at its
+  // start.
   setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
   const int mode = NC_NETCDF4 | (replace ? NC_CLOBBER : NC_NOCLOBBER);
   check(nc_create(path.c_str(), mode, &id_), core::ExitCode::io_setup, "cannot create " + path.string());

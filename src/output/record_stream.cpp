@@ -28,7 +28,8 @@ std::optional<int> as_integer(const std::string& text) {
 }
 
 bool is_container(const core::Variable& v) {
-  return v.fixed && v.dimensions.empty() && (v.attributes.contains("cf_role") || v.attributes.contains("grid_mapping_name"));
+  return v.fixed && v.dimensions.empty() &&
+         (v.attributes.contains("cf_role") || v.attributes.contains("grid_mapping_name"));
 }
 
 }  // namespace
@@ -39,8 +40,7 @@ void put_attribute(int file, int variable, const std::string& name, const Attrib
     status = nc_put_att_text(file, variable, name.c_str(), text->size(), text->c_str());
   else if (const auto* real = std::get_if<double>(&value))
     status = nc_put_att_double(file, variable, name.c_str(), NC_DOUBLE, 1, real);
-  else
-    status = nc_put_att_int(file, variable, name.c_str(), NC_INT, 1, std::get_if<int>(&value));
+  else status = nc_put_att_int(file, variable, name.c_str(), NC_INT, 1, std::get_if<int>(&value));
   check_setup(status, "attribute '" + name + "'");
 }
 
@@ -56,8 +56,10 @@ void RecordStream::define_time() {
   check_setup(nc_def_var(file_, time_name_.c_str(), NC_DOUBLE, 1, &time_dimension_, &time_variable_),
               "variable '" + time_name_ + "'");
   check_setup(nc_def_var_chunking(file_, time_variable_, NC_CHUNKED, &scalar_records_per_chunk), "chunks of time");
-  const Attributes attributes{
-      {"units", "s"}, {"axis", "T"}, {"standard_name", "time"}, {"long_name", "simulated time since the start of the scene"}};
+  const Attributes attributes{{"units", "s"},
+                              {"axis", "T"},
+                              {"standard_name", "time"},
+                              {"long_name", "simulated time since the start of the scene"}};
   for (const auto& [name, value] : attributes) put_attribute(file_, time_variable_, name, value);
 }
 
@@ -71,8 +73,8 @@ void RecordStream::define_dimensions() {
     std::size_t known = 0;
     check_setup(nc_inq_dimlen(file_, id, &known), "dimension '" + name + "'");
     if (known != length)
-      throw core::Error(ExitCode::internal, "output dimension '" + name + "' has two lengths, " + std::to_string(known) + " and " +
-                                                std::to_string(length));
+      throw core::Error(ExitCode::internal, "output dimension '" + name + "' has two lengths, " +
+                                                std::to_string(known) + " and " + std::to_string(length));
   }
 }
 
@@ -87,7 +89,8 @@ void RecordStream::define(const core::Variable& variable) {
     int id = -1;
     std::size_t length = 0;
     if (nc_inq_dimid(file_, name.c_str(), &id) != NC_NOERR || nc_inq_dimlen(file_, id, &length) != NC_NOERR)
-      throw core::Error(ExitCode::internal, "output variable '" + variable.name + "' names the unknown dimension '" + name + "'");
+      throw core::Error(ExitCode::internal,
+                        "output variable '" + variable.name + "' names the unknown dimension '" + name + "'");
     dimensions.push_back(id);
     slot.count.push_back(length);
     slot.size *= length;
@@ -97,8 +100,9 @@ void RecordStream::define(const core::Variable& variable) {
   const std::string what = "variable '" + variable.name + "'";
   const bool single = variable.storage == core::Storage::single_precision;
   const nc_type type = slot.container ? NC_INT : single ? NC_FLOAT : NC_DOUBLE;
-  check_setup(nc_def_var(file_, variable.name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &slot.id),
-              what);
+  check_setup(
+      nc_def_var(file_, variable.name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &slot.id),
+      what);
   if (!variable.dimensions.empty()) {
     check_setup(nc_def_var_chunking(file_, slot.id, NC_CHUNKED, slot.count.data()), what);
     check_setup(nc_def_var_deflate(file_, slot.id, 1, 1, 1), what);
@@ -108,7 +112,8 @@ void RecordStream::define(const core::Variable& variable) {
   if (!slot.container) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const float none_single = std::numeric_limits<float>::quiet_NaN();
-    check_setup(nc_def_var_fill(file_, slot.id, NC_FILL, single ? static_cast<const void*>(&none_single) : &none), what);
+    check_setup(nc_def_var_fill(file_, slot.id, NC_FILL, single ? static_cast<const void*>(&none_single) : &none),
+                what);
     put_attribute(file_, slot.id, "units", variable.unit);
   }
   put_attribute(file_, slot.id, "long_name", variable.long_name);
@@ -124,10 +129,11 @@ void RecordStream::append(const core::Snapshot& snapshot) {
   values_.resize(slots_.size());
   source_.evaluate(snapshot, values_);
   if (values_.size() != slots_.size())
-    throw core::Error(ExitCode::internal, "an output source declares " + std::to_string(slots_.size()) + " variables but gives " +
-                                              std::to_string(values_.size()));
+    throw core::Error(ExitCode::internal, "an output source declares " + std::to_string(slots_.size()) +
+                                              " variables but gives " + std::to_string(values_.size()));
   // Time comes first: a record that breaks off then reads as a time with missing values, not as values at no time.
-  check(nc_put_var1_double(file_, time_variable_, &n_records_, &snapshot.t), ExitCode::output_failed, "writing '" + time_name_ + "'");
+  check(nc_put_var1_double(file_, time_variable_, &n_records_, &snapshot.t), ExitCode::output_failed,
+        "writing '" + time_name_ + "'");
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     Slot& slot = slots_[i];
     if (slot.container || (slot.variable.fixed && n_records_ > 0)) continue;
@@ -139,8 +145,9 @@ void RecordStream::append(const core::Snapshot& snapshot) {
 
 void RecordStream::write(const Slot& slot, const std::vector<double>& values) {
   if (values.size() != slot.size)
-    throw core::Error(ExitCode::internal, "output variable '" + slot.variable.name + "' has " + std::to_string(values.size()) +
-                                              " values instead of " + std::to_string(slot.size));
+    throw core::Error(ExitCode::internal, "output variable '" + slot.variable.name + "' has " +
+                                              std::to_string(values.size()) + " values instead of " +
+                                              std::to_string(slot.size));
   int status = NC_NOERR;
   if (slot.variable.storage == core::Storage::single_precision) {
     // Narrowed here, not by netCDF: it takes a value beyond float for an error, and an uncapped viscosity may be one.

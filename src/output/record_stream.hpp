@@ -16,8 +16,8 @@ void put_attribute(int file, int variable, const std::string& name, const Attrib
 /// One unlimited time dimension of an open file and the variables of one FieldSource along it.
 class RecordStream {
  public:
-  /// Defines the time dimension, those of the source that the file does not have yet, and the variables.
-  /// Throws OutputError(io_setup); Error(internal) for a dimension with two lengths or a variable of unknown dimensions.
+  /// Defines the time dimension, those of the source that the file does not have yet, and the variables. Throws
+  /// OutputError(io_setup); Error(internal) for a dimension with two lengths or a variable of unknown dimensions.
   RecordStream(int file, const std::string& time_name, core::FieldSource& source);
 
   /// Writes the next record; the first one writes the fixed variables too. Throws OutputError(output_failed);
@@ -35,7 +35,7 @@ class RecordStream {
     bool container;                  ///< a scalar that only carries attributes, for example an SGRID topology
     std::vector<std::size_t> start;  ///< of a record, time first unless the variable is fixed
     std::vector<std::size_t> count;
-    std::size_t size;                ///< values in a record
+    std::size_t size;  ///< values in a record
   };
 
   void define_time();

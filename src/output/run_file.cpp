@@ -60,24 +60,29 @@ std::size_t RunFile::add_stream(const std::string& time_name, core::FieldSource&
 void RunFile::append(const core::Snapshot& snapshot, std::size_t stream) {
   RecordStream& records = state_->streams.at(stream);
   const std::string name = state_->file.path().string();
-  if (!state_->file.is_open()) throw core::OutputError(ExitCode::output_failed, name + " is closed after an earlier failure");
+  if (!state_->file.is_open())
+    throw core::OutputError(ExitCode::output_failed, name + " is closed after an earlier failure");
   const std::uint64_t reserve = state_->options.reserve;
   if (reserve > 0 && room_left(state_->file.path()) < reserve + records.bytes_per_record()) {
     close();
     throw core::OutputError(ExitCode::output_failed, "no room for the next record of " + name + " (it holds " +
-                                                         std::to_string(records.n_records()) + " complete ones): disk full");
+                                                         std::to_string(records.n_records()) +
+                                                         " complete ones): disk full");
   }
   try {
     records.append(snapshot);
     check(nc_sync(state_->file.id()), ExitCode::output_failed, "writing to disk");
   } catch (const core::OutputError& error) {
     state_->file.close();
-    throw core::OutputError(ExitCode::output_failed, name + " at t = " + std::to_string(snapshot.t) + " s: " + error.what());
+    throw core::OutputError(ExitCode::output_failed,
+                            name + " at t = " + std::to_string(snapshot.t) + " s: " + error.what());
   }
 }
 
 std::size_t RunFile::n_records(std::size_t stream) const { return state_->streams.at(stream).n_records(); }
 
-void RunFile::close() { check(state_->file.close(), ExitCode::output_failed, "closing " + state_->file.path().string()); }
+void RunFile::close() {
+  check(state_->file.close(), ExitCode::output_failed, "closing " + state_->file.path().string());
+}
 
 }  // namespace talus::output

@@ -15,13 +15,14 @@ struct RunFileOptions {
   std::uint64_t reserve = 16u << 20u;  ///< room that must stay free on the disk after a record [byte]; 0: do not look
 };
 
-/// The netCDF-4 file of a run (CF-1.8), conventionally `run.nc`. It holds one or more streams of records, each a FieldSource
-/// along an unlimited time dimension of its own. Every record is on disk when append() returns, so that a killed run leaves
-/// a readable file, and other processes may read along (HDF5's file lock is off unless HDF5_USE_FILE_LOCKING says otherwise).
+/// The netCDF-4 file of a run (CF-1.8), conventionally `run.nc`. It holds one or more streams of records, each a
+/// FieldSource along an unlimited time dimension of its own. Every record is on disk when append() returns, so that a
+/// killed run leaves a readable file, and other processes may read along (HDF5's file lock is off unless
+/// HDF5_USE_FILE_LOCKING says otherwise).
 class RunFile {
  public:
-  /// Creates the file with its first stream, `fields` along "time", and global `attributes`. The source must outlive this
-  /// object. Throws OutputError(io_setup).
+  /// Creates the file with its first stream, `fields` along "time", and global `attributes`. The source must outlive
+  /// this object. Throws OutputError(io_setup).
   RunFile(const std::filesystem::path& path, core::FieldSource& fields, const Attributes& attributes,
           const RunFileOptions& options = {});
   /// Closes and never throws; call close() to learn whether that succeeded.

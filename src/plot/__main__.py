@@ -26,7 +26,8 @@ class Progress:
             self.stream.flush()
 
     def end(self, result):
-        self.stream.write(("\r\033[K" if self.live else "") + f"{self.words}: {result} ({time.monotonic() - self.start:.1f} s)\n")
+        taken = time.monotonic() - self.start
+        self.stream.write(("\r\033[K" if self.live else "") + f"{self.words}: {result} ({taken:.1f} s)\n")
         self.stream.flush()
 
 

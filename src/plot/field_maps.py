@@ -96,14 +96,15 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
         axes.set_title(f"({phase} {ROMAN[count[phase] % len(ROMAN)]})  t = {look.seconds(run.times[k])}", loc="left")
         count[phase] += 1
     figure.colorbar(mesh, cax=colour_axes, label=symbol, extend="both" if name == "inertial_number" else "max")
-    phase_words = " (a: growth, b: drain)" if count["b"] else ""
-    cap_words = "; the viscosity is capped inside the dashed line" if name == "inertial_number" and run.has("cap_active") else ""
-    figure.suptitle(f"{run.name}: {words}{phase_words}{cap_words}", y=1.0 - 0.15 / figure.get_figheight(), va="top")
+    title = f"{run.name}: {words}" + (" (a: growth, b: drain)" if count["b"] else "")
+    if name == "inertial_number" and run.has("cap_active"):
+        title += "; the viscosity is capped inside the dashed line"
+    figure.suptitle(title, y=1.0 - 0.15 / figure.get_figheight(), va="top")
     return look.save(figure, folder, f"field_{name}.png")
 
 
 def draw_close_up(axes, run, k, paint):
-    """The middle of the right face again, in the empty corner above it, since the layer that flows is millimetres deep."""
+    """The middle of the right face again, in the empty corner above it: the layer that flows is millimetres deep."""
     X, Z = run.surface(k)
     height = run.field("height", k)
     middle = (int(np.argmax(height)) + height.size - 1) // 2
@@ -116,8 +117,8 @@ def draw_close_up(axes, run, k, paint):
     corner = axes.inset_axes([left, bottom, wide, high])
     paint(corner)
     half, tall = 0.5 * CLOSE_UP, 0.5 * CLOSE_UP * (high * (Z1 - Z0)) / (wide * (X1 - X0))
-    corner.set(xlim=(X[middle] - half, X[middle] + half), ylim=(Z[middle] - 1.35 * tall, Z[middle] + 0.65 * tall), xticks=[], yticks=[],
-               aspect="equal")
+    corner.set(xlim=(X[middle] - half, X[middle] + half), ylim=(Z[middle] - 1.35 * tall, Z[middle] + 0.65 * tall),
+               xticks=[], yticks=[], aspect="equal")
     corner.spines[["top", "right"]].set_visible(True)
     axes.indicate_inset_zoom(corner, edgecolor=look.INK, alpha=0.6)
     corner.set_title(f"{1e3 * CLOSE_UP:.0f} mm wide", fontsize=9, pad=2)

@@ -24,8 +24,8 @@ def draw(run, folder, progress):
     # Raw frames through a pipe: matplotlib's own writers would save or encode each figure anew.
     encoder = subprocess.Popen(
         ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{WIDTH}x{HEIGHT}",
-         "-r", str(FRAMES_A_SECOND), "-i", "-", "-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-pix_fmt", "yuv420p",
-         "-movflags", "+faststart", str(path)], stdin=subprocess.PIPE)
+         "-r", str(FRAMES_A_SECOND), "-i", "-", "-c:v", "libx264", "-preset", "veryfast", "-crf", "20",
+         "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)], stdin=subprocess.PIPE)
     try:
         for number, t in enumerate(times):
             encoder.stdin.write(frames.draw(t))
@@ -42,10 +42,8 @@ def draw(run, folder, progress):
 
 def frame_times(run):
     """One a second, or 120 of a run shorter than 20 s."""
-    end = run.times[-1]
-    first = run.times[0]
-    interval = 1.0 if end - first >= 20.0 else max((end - first) / 120.0, 1e-9)
-    return first + interval * np.arange(int((end - first) / interval + 1e-6) + 1)
+    interval = 1.0 if run.duration >= 20.0 else max(run.duration / 120.0, 1e-9)
+    return run.times[0] + interval * np.arange(int(run.duration / interval + 1e-6) + 1)
 
 
 class FieldScene:
@@ -53,14 +51,16 @@ class FieldScene:
 
     @staticmethod
     def fits(run, times):
-        dense = run.times.size > 1 and np.median(np.diff(run.times)) <= 2.5 * (times[1] - times[0] if times.size > 1 else 1.0)
-        return dense and run.has("speed", "z_node")
+        if run.times.size < 2 or times.size < 2 or not run.has("speed", "z_node"):
+            return False
+        return np.median(np.diff(run.times)) <= 2.5 * (times[1] - times[0])
 
     def __init__(self, run):
         self.run = run
         self.kept = {}
         sample = np.unique(np.linspace(0, run.times.size - 1, 24).round().astype(int))
-        self.top_speed = max(max(top_speed(run.field("speed", k), run.is_film(run.field("height", k))) for k in sample), 1e-12)
+        self.top_speed = max(1e-12, *(top_speed(run.field("speed", k), run.is_film(run.field("height", k)))
+                                      for k in sample))
         self.outputs = sample
 
     def record(self, k):
@@ -90,16 +90,14 @@ class SurfaceScene:
         self.run = run
         self.height = run.series("height_series")
         self.speed = run.series("surface_speed_series")
-        self.top_speed = max(max(top_speed(u, run.is_film(h)) for u, h in zip(self.speed, self.height)), 1e-12)
+        self.top_speed = max(1e-12, *(top_speed(u, run.is_film(h)) for u, h in zip(self.speed, self.height)))
         self.outputs = np.arange(run.times.size)
 
     def artists(self, axes, t):
         run = self.run
         i = int(np.argmin(np.abs(run.series_times - t)))
-        X, Z = run.to_gravity(run.x, self.height[i])
-        Xb, Zb = run.to_gravity(run.x, np.zeros_like(run.x))
-        grains, = axes.fill(np.concatenate([X, Xb[::-1]]), np.concatenate([Z, Zb[::-1]]), color=look.GRAINS, linewidth=0)
-        points = np.stack([X, Z], axis=-1)
+        grains, = axes.fill(*run.outline(self.height[i]), color=look.GRAINS, linewidth=0)
+        points = np.stack(run.to_gravity(run.x, self.height[i]), axis=-1)
         line = LineCollection(np.stack([points[:-1], points[1:]], axis=1), array=self.speed[i][:-1], linewidths=3.0)
         line.set_clim(0.0, self.top_speed)
         axes.add_collection(line, autolim=False)
@@ -138,15 +136,17 @@ class Frames:
             axes.plot(run.series_times, 1e3 * run.series("inflow_rate"), color=look.FAINT, label="in")
             axes.plot(run.series_times, 1e3 * run.series("outflow_rate_right"), color=look.BLUE, label="out")
             axes.legend(loc="upper right", ncol=2)
-        axes.set(xlabel="time [s]", ylabel="flow [g s$^{-1}$]", xlim=(run.times[0], max(run.times[-1], run.times[0] + 1e-9)))
+        axes.set(xlabel="time [s]", ylabel="flow [g s$^{-1}$]",
+                 xlim=(run.times[0], run.times[0] + max(run.duration, 1e-9)))
 
     def draw(self, t):
         """The frame at time t as RGBA bytes."""
         canvas = self.figure.canvas
         canvas.restore_region(self.background)
         moving = [(self.heap, artist) for artist in self.scene.artists(self.heap, t)]
-        moving.append((self.heap, self.heap.text(0.97, 0.95, f"t = {t:.0f} s" if self.run.times[-1] >= 20.0 else f"t = {t:.2f} s",
-                                                 transform=self.heap.transAxes, ha="right", va="top", fontsize=16)))
+        clock = f"t = {t:.0f} s" if self.run.duration >= 20.0 else f"t = {t:.2f} s"
+        moving.append((self.heap, self.heap.text(0.97, 0.95, clock, transform=self.heap.transAxes, ha="right", va="top",
+                                                 fontsize=16)))
         moving.append((self.rate, self.rate.axvline(t, color=look.ACCENT, linewidth=1.5)))
         for axes, artist in moving:
             axes.draw_artist(artist)

@@ -46,7 +46,5 @@ def draw_phase(axes, run, outputs):
     axes.plot(*run.base(), color=look.INK, linewidth=2.0)
     for k, colour in zip(outputs, look.sequence_colours(len(outputs))):
         axes.plot(*run.surface(k), color=colour, label=look.seconds(run.times[k]))
-    k = outputs[int(np.argmax([run.field("height", k).max() for k in outputs]))]
-    X, Z = run.surface(k)
-    Xb, Zb = run.to_gravity(run.x, np.zeros_like(run.x))
-    axes.fill(np.concatenate([X, Xb[::-1]]), np.concatenate([Z, Zb[::-1]]), color=look.GRAINS, zorder=0, linewidth=0)
+    largest = max((run.field("height", k) for k in outputs), key=np.nanmax)
+    axes.fill(*run.outline(largest), color=look.GRAINS, zorder=0, linewidth=0)

@@ -1,4 +1,4 @@
-"""Profiles through the flowing layer, along normals of the surface, against the exact steady ones (figures 17 and 18)."""
+"""Profiles through the flowing layer, along normals of the surface, beside the exact steady ones (figures 17, 18)."""
 
 import numpy as np
 
@@ -11,6 +11,8 @@ N_POINTS = 240
 
 
 def draw(run, folder):
+    if run.x.size < 2:
+        raise Missing("profiles along normals need two columns")
     k = run.steady_output
     height = run.field("height", k)
     positions = slice_positions(run, k, height)
@@ -28,7 +30,8 @@ def draw(run, folder):
     draw_speed(panels[0, 1], slices, speed, colours, exact)
     draw_log_speed(panels[1, 0], slices, speed, colours, exact)
     draw_inertia(panels[1, 1], slices, inertia, colours, exact)
-    for number, (axes, words) in enumerate(zip(panels.flat, ("where", "speed", "speed, creep included", "inertial number"))):
+    for number, words in enumerate(("where", "speed", "speed, creep included", "inertial number")):
+        axes = panels.flat[number]
         look.label(axes, number, words)
         look.grid(axes)
     figure.suptitle(f"{run.name}: profiles normal to the surface at t = {look.seconds(run.times[k])}")
@@ -62,7 +65,7 @@ class Slice:
         self.z_points = np.interp(x, run.x, height) - s * n[1]
 
     def values(self, field):
-        """Interpolated along x at equal depth below the surface, where the flow changes least; NaN outside the grains."""
+        """Interpolated along x at equal depth below the surface, where it changes least; NaN outside the grains."""
         x = self.run.x
         depth = np.interp(self.x_points, x, self.height) - self.z_points
         i = np.clip(np.searchsorted(x, self.x_points) - 1, 0, x.size - 2)
@@ -110,17 +113,16 @@ def flowing_depth(run, k, height, speed, positions):
 
 
 def draw_map(axes, run, k, slices, colours):
-    X, Z = run.surface(k)
-    Xb, Zb = run.to_gravity(run.x, np.zeros_like(run.x))
-    axes.fill(np.concatenate([X, Xb[::-1]]), np.concatenate([Z, Zb[::-1]]), color=look.GRAINS, linewidth=0)
-    axes.plot(X, Z, color=look.INK, linewidth=1.0)
+    axes.fill(*run.outline(run.field("height", k)), color=look.GRAINS, linewidth=0)
+    axes.plot(*run.surface(k), color=look.INK, linewidth=1.0)
     axes.plot(*run.base(), color=look.INK, linewidth=2.0)
     for cut, colour in zip(slices, colours):
         inside = cut.z_points >= 0.0
         axes.plot(*run.to_gravity(cut.x_points[inside], cut.z_points[inside]), color=colour, linewidth=2.5)
         axes.plot(*run.to_gravity(cut.x_points[:1], cut.z_points[:1]), "o", color=colour, markersize=4)
     X0, X1, Z0, Z1 = run.extent([k])
-    axes.set(aspect="equal", adjustable="datalim", xlim=(X0, X1), ylim=(Z0, Z1), xlabel="X, horizontal [m]", ylabel="Z, up [m]")
+    axes.set(aspect="equal", adjustable="datalim", xlim=(X0, X1), ylim=(Z0, Z1))
+    axes.set(xlabel="X, horizontal [m]", ylabel="Z, up [m]")
 
 
 def face_angle(cut):
@@ -154,7 +156,8 @@ def draw_log_speed(axes, slices, field, colours, exact):
         top = max(top, np.nanmax(u))
         axes.semilogx(np.where(u > 0.0, u, np.nan), 1e3 * cut.s, color=colour)
     if exact.known:
-        axes.semilogx(np.where(exact.speed > 0.0, exact.speed, np.nan), 1e3 * exact.depth, color=look.INK, linestyle="-.")
+        moving = exact.speed > 0.0
+        axes.semilogx(exact.speed[moving], 1e3 * exact.depth[moving], color=look.INK, linestyle="-.")
     axes.set(xlabel="speed [m s$^{-1}$]", ylabel="depth normal to the surface [mm]", ylim=(1e3 * slices[0].s[-1], 0.0))
     if top > 0.0:
         axes.set_xlim(1e-6 * top, 2.0 * top)

@@ -34,7 +34,7 @@ def draw(run, folder):
     rate.plot(t, 1e3 * run.series("outflow_rate_right"), color=look.BLUE, label="out at the right")
     if run.has("outflow_rate_left") and left.max() > 1e-6 * max(inflow.max(), stored.max()):
         rate.plot(t, 1e3 * run.series("outflow_rate_left"), color=look.ORANGE, label="out at the left")
-    rate.set(xlabel="time [s]", ylabel="mass-flow rate [g s$^{-1}$]", xlim=(t[0], t[-1]))
+    rate.set(xlabel="time [s]", ylabel="mass-flow rate [g s$^{-1}$]", xlim=(t[0], max(t[-1], t[0] + 1e-9)))
     rate.set_ylim(bottom=min(0.0, rate.get_ylim()[0]))
     rate.legend()
     look.label(rate, 2, "rates")

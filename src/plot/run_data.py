@@ -69,6 +69,11 @@ class Run:
 
     # Times
 
+    @property
+    def duration(self):
+        """Between the first and the last output."""
+        return float(self.times[-1] - self.times[0])
+
     def nearest(self, t):
         return int(np.argmin(np.abs(self.times - t)))
 
@@ -97,8 +102,8 @@ class Run:
                 and (stop is None or abs(stop - paper.INFLOW_STOP) < 2.0))
 
     def still_outputs(self):
-        """Numbers of the outputs to draw, (growth, drain): the paper's times, stretched to this run's inflow; without an
-        inflow the run's own times, evenly by number."""
+        """Numbers of the outputs to draw, (growth, drain): the paper's times, stretched to this run's inflow; without
+        an inflow the run's own times, evenly by number."""
         end, stop = self.times[-1], self.inflow_stop
         if float(self.attribute("inflow_rate_kg_s", 0.0)) <= 0.0:
             return sorted(set(np.linspace(0, self.times.size - 1, 6).round().astype(int))), []
@@ -134,6 +139,10 @@ class Run:
     def surface(self, k):
         """The free surface in gravity's coordinates, X and Z of shape (column)."""
         return self.to_gravity(self.x, self.field("height", k))
+
+    def outline(self, height):
+        """The area between base and surface, a closed polygon in gravity's coordinates."""
+        return self.to_gravity(np.concatenate([self.x, self.x[::-1]]), np.concatenate([height, np.zeros_like(height)]))
 
     def base(self):
         return self.to_gravity(self.x_face[[0, -1]], np.zeros(2))

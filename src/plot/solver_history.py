@@ -5,14 +5,17 @@ import numpy as np
 import look
 from look import plt
 
-CPU = (("cpu_residual", "residuals"), ("cpu_jacobian", "Jacobians"), ("cpu_factor", "factorisations"), ("cpu_solve", "solves"))
+CPU = (("cpu_residual", "residuals", look.BLUE), ("cpu_jacobian", "Jacobians", look.GREEN),
+       ("cpu_factor", "factorisations", look.ORANGE), ("cpu_solve", "solves", look.PURPLE))
 COUNTS = (("n_steps", "steps", look.INK), ("n_factorisations", "factorisations", look.BLUE),
-          ("n_error_test_failures", "error-test failures", look.ORANGE), ("n_newton_failures", "Newton failures", look.ACCENT))
+          ("n_error_test_failures", "error-test failures", look.ORANGE),
+          ("n_newton_failures", "Newton failures", look.ACCENT))
+TITLES = ("step size", "order of the method", "counters", "CPU time by kind of work", "mass balance: in - out - stored")
 
 
 def draw(run, folder):
     t = run.series_times
-    figure, panels = plt.subplots(5, 1, figsize=(8.2, 12.0), sharex=True, gridspec_kw={"height_ratios": [3, 2, 3, 3, 3]})
+    figure, panels = plt.subplots(5, 1, figsize=(8.2, 12.0), sharex=True, height_ratios=[3, 2, 3, 3, 3])
     size, order, counts, cpu, mass = panels
 
     step = run.series("last_step")
@@ -30,18 +33,18 @@ def draw(run, folder):
     counts.legend(loc="upper left", ncol=2, bbox_to_anchor=(0.0, 1.0))
     counts.set_ylim(top=30.0 * max(counts.get_ylim()[1], 10.0))
 
-    cpu.stackplot(t, *(run.series(name) for name, _ in CPU), colors=[look.BLUE, look.GREEN, look.ORANGE, look.PURPLE], alpha=0.85,
-                  labels=[f"{words}: {run.series(name)[-1]:.1f} s" for name, words in CPU], linewidth=0)
+    used = [run.series(name) for name, _, _ in CPU]
+    cpu.stackplot(t, *used, colors=[colour for _, _, colour in CPU], alpha=0.85, linewidth=0,
+                  labels=[f"{words}: {seconds[-1]:.1f} s" for (_, words, _), seconds in zip(CPU, used)])
     cpu.set_ylabel("CPU time [s]")
     cpu.legend(loc="upper left", ncol=2)
     cpu.set_ylim(top=1.35 * max(cpu.get_ylim()[1], 1e-6))
 
     error = np.abs(run.series("mass_error"))
     mass.semilogy(t, np.where(error > 0.0, error, np.nan), color=look.BLUE, linewidth=1.1)
-    mass.set(ylabel="|mass error| [kg]", xlabel="time [s]", xlim=(t[0], t[-1]))
+    mass.set(ylabel="|mass error| [kg]", xlabel="time [s]", xlim=(t[0], max(t[-1], t[0] + 1e-9)))
 
-    for number, (axes, words) in enumerate(zip(panels, ("step size", "order of the method", "counters", "CPU time by kind of work",
-                                                        "mass balance: in - out - stored"))):
+    for number, (axes, words) in enumerate(zip(panels, TITLES)):
         look.label(axes, number, words)
         look.grid(axes)
     figure.suptitle(f"{run.name}: integrator")

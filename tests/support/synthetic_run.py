@@ -32,7 +32,7 @@ class Kind:
 
 
 def triangle(slope, x):
-    """Height over the base of a heap with a right face at `slope` [rad] to the horizontal and its apex under the jet."""
+    """Height over the base of a heap with its right face at `slope` [rad] to the horizontal, its apex under the jet."""
     right, left = np.tan(slope - THETA), np.tan(np.radians(22.0) + THETA)
     apex = 0.11
     for _ in range(60):
@@ -80,7 +80,7 @@ def depths(height, nz):
 
 
 def profile(depth):
-    """(speed, inertial number) relative to the surface at a depth [m] normal to the face: a power and a creeping tail."""
+    """(speed, inertial number) relative to the surface at a depth [m] normal to the face: a power, a creeping tail."""
     r = np.clip(1.0 - depth / LAYER_DEPTH, 0.0, 1.0)
     return r ** 1.5 * (1.0 - 1e-3) + 1e-3 * np.exp(-depth / 4e-3), np.sqrt(r) + 1e-3 * np.exp(-depth / 4e-3)
 
@@ -105,7 +105,8 @@ def variables_at(heap, t):
 
 
 SHAPES = {"height": ("column",), "z_node": ("interface", "face")}
-UNITS = {"height": "m", "z_node": "m", "z": "m", "pressure": "Pa", "inertial_number": "1", "cap_active": "1", "strain_rate": "s-1"}
+UNITS = {"height": "m", "z_node": "m", "z": "m", "pressure": "Pa", "inertial_number": "1", "cap_active": "1",
+         "strain_rate": "s-1"}
 
 
 def write(folder, kind="heap", **size):
@@ -147,19 +148,21 @@ def write_series(file, heap):
     kind, t = heap.kind, heap.kind.series_times
     file.createVariable("series_time", "f8", ("series_time",)).units = "s"
     file["series_time"][:] = t
-    lines = {"height_series": np.array([heap.height(v) for v in t]), "surface_speed_series": np.array([heap.surface_speed(v) for v in t])}
+    lines = {"height_series": np.array([heap.height(v) for v in t]),
+             "surface_speed_series": np.array([heap.surface_speed(v) for v in t])}
     outflow = np.zeros_like(t) if kind.periodic else np.array([heap.outflow(v) for v in t])
     mass_in = kind.rate * np.minimum(t, kind.stop)
     stored = np.full_like(t, 0.0011) if kind.periodic else heap.mass(t)
     n = 900.0 * (1.0 - np.exp(-t / 60.0)) + t
     work = n / n[-1]
     scalars = {
-        "mass_stored": stored, "mass_inflow": mass_in, "mass_outflow_right": mass_in - stored, "mass_outflow_left": 0.0 * t,
-        "mass_error": 1e-15 * n, "inflow_rate": kind.rate * (t <= kind.stop), "outflow_rate_right": outflow,
-        "outflow_rate_left": 0.0 * t, "heap_angle": 29.2 + 112.0 * stored, "n_steps": n.round(), "n_error_test_failures": (0.02 * n).round(),
-        "n_newton_failures": (0.004 * n).round(), "n_factorisations": (0.3 * n).round(), "order": 1.0 + (n.round() % 3 > 0),
-        "last_step": 0.02 + 0.4 * (1.0 - np.exp(-(t % 150.0) / 30.0)), "cpu_residual": 8.0 * work, "cpu_jacobian": 6.0 * work,
-        "cpu_factor": 30.0 * work, "cpu_solve": 5.0 * work}
+        "mass_stored": stored, "mass_inflow": mass_in, "mass_outflow_right": mass_in - stored,
+        "mass_outflow_left": 0.0 * t, "mass_error": 1e-15 * n, "inflow_rate": kind.rate * (t <= kind.stop),
+        "outflow_rate_right": outflow, "outflow_rate_left": 0.0 * t, "heap_angle": 29.2 + 112.0 * stored,
+        "n_steps": n.round(), "n_error_test_failures": (0.02 * n).round(), "n_newton_failures": (0.004 * n).round(),
+        "n_factorisations": (0.3 * n).round(), "order": 1.0 + (n.round() % 3 > 0),
+        "last_step": 0.02 + 0.4 * (1.0 - np.exp(-(t % 150.0) / 30.0)), "cpu_residual": 8.0 * work,
+        "cpu_jacobian": 6.0 * work, "cpu_factor": 30.0 * work, "cpu_solve": 5.0 * work}
     for name, values in lines.items():
         file.createVariable(name, "f4", ("series_time", "column"))[:] = values
     for name, values in scalars.items():

@@ -73,7 +73,8 @@ int with_small_disk(Work&& work) {
   return status;
 }
 
-/// Appends until it fails, then tries once more; returns the exit code of the error, or 99 if the second try is let through.
+/// Appends until it fails, then tries once more; returns the exit code of the error, or 99 if the second try is let
+/// through.
 int append_until_full(const std::filesystem::path& path, std::uint64_t reserve) {
   NoiseFields noise;
   const core::Statistics statistics;

@@ -51,8 +51,8 @@ TEST(AtomicFile, FailureNamesThePathAndLeavesTheTargetAlone) {
 TEST(StatisticsFields, EveryNumberUnderItsName) {
   core::Statistics s;
   double next = 1.0;
-  for (auto* counter : {&s.steps, &s.error_test_failures, &s.newton_failures, &s.newton_iterations, &s.residuals, &s.jacobians,
-                        &s.factorisations, &s.solves, &s.inadmissible_states, &s.restarts})
+  for (auto* counter : {&s.steps, &s.error_test_failures, &s.newton_failures, &s.newton_iterations, &s.residuals,
+                        &s.jacobians, &s.factorisations, &s.solves, &s.inadmissible_states, &s.restarts})
     *counter = static_cast<std::int64_t>(next++);
   s.order = static_cast<int>(next++);
   for (auto* seconds : {&s.last_step, &s.seconds_residual, &s.seconds_jacobian, &s.seconds_factor, &s.seconds_solve})
@@ -61,9 +61,21 @@ TEST(StatisticsFields, EveryNumberUnderItsName) {
   StatisticsFields fields;
   std::vector<std::vector<double>> values;
   fields.evaluate({0.0, {}, {}, s}, values);
-  const std::vector<std::string> names{"n_steps", "n_error_test_failures", "n_newton_failures", "n_newton_iterations",
-                                       "n_residuals", "n_jacobians", "n_factorisations", "n_solves", "n_inadmissible_states",
-                                       "n_restarts", "order", "last_step", "cpu_residual", "cpu_jacobian", "cpu_factor",
+  const std::vector<std::string> names{"n_steps",
+                                       "n_error_test_failures",
+                                       "n_newton_failures",
+                                       "n_newton_iterations",
+                                       "n_residuals",
+                                       "n_jacobians",
+                                       "n_factorisations",
+                                       "n_solves",
+                                       "n_inadmissible_states",
+                                       "n_restarts",
+                                       "order",
+                                       "last_step",
+                                       "cpu_residual",
+                                       "cpu_jacobian",
+                                       "cpu_factor",
                                        "cpu_solve"};
   const auto variables = fields.variables();
   ASSERT_EQ(variables.size(), names.size());
@@ -97,7 +109,8 @@ TEST(CombinedFields, JoinsVariablesAndUnitesDimensions) {
 }
 
 TEST(Provenance, SaysWhatMadeTheResult) {
-  const Attributes a = provenance_attributes({"gap = 3e-3 # \"W\"\n", "talus run heap.toml", {"SUNDIALS 6.4.1", "KLU 5.12"}});
+  const Attributes a =
+      provenance_attributes({"gap = 3e-3 # \"W\"\n", "talus run heap.toml", {"SUNDIALS 6.4.1", "KLU 5.12"}});
   const auto text = [&](const std::string& name) { return std::get<std::string>(a.at(name)); };
   EXPECT_EQ(text("scene"), "gap = 3e-3 # \"W\"\n");
   EXPECT_TRUE(text("libraries").starts_with("netCDF 4.")) << text("libraries");

@@ -138,10 +138,11 @@ class CommandLine(WithFolder):
         done = plot(run, "--movie", "--out", self.folder / "out")
         self.assertEqual(done.returncode, 0, done.stderr)
         names = sorted(path.name for path in (self.folder / "out").iterdir())
-        self.assertEqual(names, ["field_inertial_number.png", "field_pressure.png", "field_speed.png", "heap_shapes.png",
-                                 "integrator.png", "mass.png", "movie.mp4", "profiles.png"])
-        probe = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height,pix_fmt", "-of", "csv=p=0",
-                                self.folder / "out" / "movie.mp4"], capture_output=True, text=True, check=True)
+        self.assertEqual(names, ["field_inertial_number.png", "field_pressure.png", "field_speed.png",
+                                 "heap_shapes.png", "integrator.png", "mass.png", "movie.mp4", "profiles.png"])
+        probe = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height,pix_fmt",
+                                "-of", "csv=p=0", self.folder / "out" / "movie.mp4"],
+                               capture_output=True, text=True, check=True)
         width, height, pixels = probe.stdout.strip().split(",")
         self.assertEqual((int(width) % 2, int(height) % 2, pixels), (0, 0, "yuv420p"))
 
