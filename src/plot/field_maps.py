@@ -84,7 +84,7 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
     for axes, (phase, k), field in zip(panels, phases, fields):
         def paint(on):
             mesh = on.pcolormesh(*run.nodes(k), field, cmap=colours, vmin=low, vmax=high)
-            on.plot(*run.surface(k), color=look.INK, linewidth=0.6)
+            on.plot(*run.surface(run.field("height", k)), color=look.INK, linewidth=0.6)
             on.plot(*run.base(), color=look.INK, linewidth=1.4)
             if name == "inertial_number":
                 draw_cap(on, run, k)
@@ -97,7 +97,7 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
         count[phase] += 1
     figure.colorbar(mesh, cax=colour_axes, label=symbol, extend="both" if name == "inertial_number" else "max")
     title = f"{run.name}: {words}" + (" (a: growth, b: drain)" if count["b"] else "")
-    if name == "inertial_number" and run.has("cap_active"):
+    if name == "inertial_number" and any(cap_has_outline(run, k) for k in outputs):
         title += "; the viscosity is capped inside the dashed line"
     figure.suptitle(title, y=1.0 - 0.15 / figure.get_figheight(), va="top")
     return look.save(figure, folder, f"field_{name}.png")
@@ -105,8 +105,8 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
 
 def draw_close_up(axes, run, k, paint):
     """The middle of the right face again, in the empty corner above it: the layer that flows is millimetres deep."""
-    X, Z = run.surface(k)
     height = run.field("height", k)
+    X, Z = run.to_gravity(run.x, height)
     middle = (int(np.argmax(height)) + height.size - 1) // 2
     if run.is_film(height[middle]):
         return
@@ -124,12 +124,18 @@ def draw_close_up(axes, run, k, paint):
     corner.set_title(f"{1e3 * CLOSE_UP:.0f} mm wide", fontsize=9, pad=2)
 
 
+def cap_has_outline(run, k):
+    """Whether the viscosity is capped somewhere but not everywhere."""
+    if not run.has("cap_active"):
+        return False
+    cap = np.nan_to_num(run.field("cap_active", k))
+    return cap.min() < cap.max()
+
+
 def draw_cap(axes, run, k):
     """Dashed outline of the region where the viscosity is capped."""
-    if not run.has("cap_active"):
+    if not cap_has_outline(run, k):
         return
     cap = np.nan_to_num(run.field("cap_active", k))
-    if cap.min() == cap.max():
-        return
     X, Z = run.to_gravity(np.broadcast_to(run.x, cap.shape), run.field("z", k))
     axes.contour(X, Z, cap, levels=[0.5], colors="white", linestyles="dashed", linewidths=1.0)

@@ -79,7 +79,7 @@ class FieldScene:
         speed[:, run.is_film(height)] = np.ma.masked
         X, Z = run.to_gravity(np.broadcast_to(run.x_face, z.shape), z)
         mesh = axes.pcolormesh(X, Z, speed, vmin=0.0, vmax=self.top_speed, antialiased=False)
-        line, = axes.plot(*run.to_gravity(run.x, height), color=look.INK, linewidth=0.8)
+        line, = axes.plot(*run.surface(height), color=look.INK, linewidth=0.8)
         return [mesh, line]
 
 

@@ -45,6 +45,6 @@ def draw_phase(axes, run, outputs):
     look.grid(axes)
     axes.plot(*run.base(), color=look.INK, linewidth=2.0)
     for k, colour in zip(outputs, look.sequence_colours(len(outputs))):
-        axes.plot(*run.surface(k), color=colour, label=look.seconds(run.times[k]))
+        axes.plot(*run.surface(run.field("height", k)), color=colour, label=look.seconds(run.times[k]))
     largest = max((run.field("height", k) for k in outputs), key=np.nanmax)
     axes.fill(*run.outline(largest), color=look.GRAINS, zorder=0, linewidth=0)

@@ -64,24 +64,25 @@ class Slice:
         self.x_points = x - s * n[0]
         self.z_points = np.interp(x, run.x, height) - s * n[1]
 
-    def values(self, field):
-        """Interpolated along x at equal depth below the surface, where it changes least; NaN outside the grains."""
+    def values(self, field, to_surface=False):
+        """Interpolated along x at equal depth below the surface, where it changes least; NaN outside the grains, and
+        above the middle of the top cell unless it is to be extended `to_surface`."""
         x = self.run.x
         depth = np.interp(self.x_points, x, self.height) - self.z_points
         i = np.clip(np.searchsorted(x, self.x_points) - 1, 0, x.size - 2)
         weight = (self.x_points - x[i]) / (x[i + 1] - x[i])
-        low = np.array([self.column(field, j, d) for j, d in zip(i, depth)])
-        high = np.array([self.column(field, j + 1, d) for j, d in zip(i, depth)])
+        low = np.array([self.column(field, j, d, to_surface) for j, d in zip(i, depth)])
+        high = np.array([self.column(field, j + 1, d, to_surface) for j, d in zip(i, depth)])
         result = (1.0 - weight) * low + weight * high
         result[(self.z_points < 0.0) | (weight < -0.5) | (weight > 1.5)] = np.nan
         return result
 
-    def column(self, field, j, depth):
+    def column(self, field, j, depth, to_surface):
         below = self.height[j] - self.z_centre[::-1, j]
         column = field[::-1, j]
-        if depth < below[0]:  # the upper half of the top cell
+        if to_surface and depth < below[0]:
             return column[0] + (column[1] - column[0]) * (depth - below[0]) / (below[1] - below[0])
-        return np.interp(depth, below, column, right=np.nan)
+        return np.interp(depth, below, column, left=np.nan, right=np.nan)
 
 
 def local_slope(x, height, at):
@@ -114,14 +115,14 @@ def flowing_depth(run, k, height, speed, positions):
 
 def draw_map(axes, run, k, slices, colours):
     axes.fill(*run.outline(run.field("height", k)), color=look.GRAINS, linewidth=0)
-    axes.plot(*run.surface(k), color=look.INK, linewidth=1.0)
+    axes.plot(*run.surface(run.field("height", k)), color=look.INK, linewidth=1.0)
     axes.plot(*run.base(), color=look.INK, linewidth=2.0)
     for cut, colour in zip(slices, colours):
         inside = cut.z_points >= 0.0
         axes.plot(*run.to_gravity(cut.x_points[inside], cut.z_points[inside]), color=colour, linewidth=2.5)
         axes.plot(*run.to_gravity(cut.x_points[:1], cut.z_points[:1]), "o", color=colour, markersize=4)
     X0, X1, Z0, Z1 = run.extent([k])
-    axes.set(aspect="equal", adjustable="datalim", xlim=(X0, X1), ylim=(Z0, Z1))
+    axes.set(aspect="equal", xlim=(X0, X1), ylim=(Z0, Z1))
     axes.set(xlabel="X, horizontal [m]", ylabel="Z, up [m]")
 
 
@@ -131,7 +132,7 @@ def face_angle(cut):
 
 def draw_speed(axes, slices, field, colours, exact):
     for cut, colour in zip(slices, colours):
-        u = cut.values(field)
+        u = cut.values(field, to_surface=True)
         error = error_words(cut.s, u, exact.depth, exact.speed) if exact.known else ""
         axes.plot(u, 1e3 * cut.s, color=colour, label=f"x = {cut.x:.3f} m, {face_angle(cut):.2f}°{error}")
     if exact.known:
@@ -152,7 +153,7 @@ def error_words(s, u, depth, reference):
 def draw_log_speed(axes, slices, field, colours, exact):
     top = 0.0
     for cut, colour in zip(slices, colours):
-        u = cut.values(field)
+        u = cut.values(field, to_surface=True)
         top = max(top, np.nanmax(u))
         axes.semilogx(np.where(u > 0.0, u, np.nan), 1e3 * cut.s, color=colour)
     if exact.known:

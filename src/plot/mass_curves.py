@@ -10,7 +10,8 @@ def draw(run, folder):
     stored = run.series("mass_stored")
     figure, (box, balance, rate) = plt.subplots(3, 1, figsize=(8.2, 9.2), sharex=True)
 
-    box.plot(t, stored, color=look.BLUE, label="computed")
+    at_start = f", with {1e3 * stored[0]:.2g} g there at the start" if stored[0] > 0.0 else ""
+    box.plot(t, stored, color=look.BLUE, label=f"computed{at_start}")
     if run.is_paper_scene:
         until = [i for i, time in enumerate(paper.MASS_TIMES) if time <= t[-1]]
         box.plot([paper.MASS_TIMES[i] for i in until], [paper.MASSES[i] for i in until], "o", color=look.ACCENT,

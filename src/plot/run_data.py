@@ -136,13 +136,14 @@ class Run:
         z = self.field("z_node", k)
         return self.to_gravity(np.broadcast_to(self.x_face, z.shape), z)
 
-    def surface(self, k):
-        """The free surface in gravity's coordinates, X and Z of shape (column)."""
-        return self.to_gravity(self.x, self.field("height", k))
+    def surface(self, height):
+        """The free surface in gravity's coordinates: a point a column, and the box's ends at the height of the last."""
+        return self.to_gravity(np.concatenate([self.x_face[:1], self.x, self.x_face[-1:]]),
+                               np.concatenate([height[:1], height, height[-1:]]))
 
     def outline(self, height):
         """The area between base and surface, a closed polygon in gravity's coordinates."""
-        return self.to_gravity(np.concatenate([self.x, self.x[::-1]]), np.concatenate([height, np.zeros_like(height)]))
+        return tuple(np.concatenate([top, base[::-1]]) for top, base in zip(self.surface(height), self.base()))
 
     def base(self):
         return self.to_gravity(self.x_face[[0, -1]], np.zeros(2))
@@ -153,7 +154,7 @@ class Run:
 
     def extent(self, outputs, margin=0.04):
         """Axis limits (X0, X1, Z0, Z1) around base and surfaces of these outputs."""
-        lines = [self.surface(k) for k in outputs] + [self.base()]
+        lines = [self.surface(self.field("height", k)) for k in outputs] + [self.base()]
         X, Z = (np.concatenate([line[i] for line in lines]) for i in (0, 1))
         pad = margin * max(np.nanmax(X) - np.nanmin(X), np.nanmax(Z) - np.nanmin(Z))
         return np.nanmin(X) - pad, np.nanmax(X) + pad, np.nanmin(Z) - pad, np.nanmax(Z) + pad

@@ -10,7 +10,9 @@ CPU = (("cpu_residual", "residuals", look.BLUE), ("cpu_jacobian", "Jacobians", l
 COUNTS = (("n_steps", "steps", look.INK), ("n_factorisations", "factorisations", look.BLUE),
           ("n_error_test_failures", "error-test failures", look.ORANGE),
           ("n_newton_failures", "Newton failures", look.ACCENT))
-TITLES = ("step size", "order of the method", "counters", "CPU time by kind of work", "mass balance: in - out - stored")
+TITLES = ("step size", "order of the method", "counters", "CPU time by kind of work",
+          "mass balance: |in - out - stored| over the mass handled")
+ROUND_OFF = 1e-17  # errors below are drawn there
 
 
 def draw(run, folder):
@@ -40,9 +42,11 @@ def draw(run, folder):
     cpu.legend(loc="upper left", ncol=2)
     cpu.set_ylim(top=1.35 * max(cpu.get_ylim()[1], 1e-6))
 
-    error = np.abs(run.series("mass_error"))
-    mass.semilogy(t, np.where(error > 0.0, error, np.nan), color=look.BLUE, linewidth=1.1)
-    mass.set(ylabel="|mass error| [kg]", xlabel="time [s]", xlim=(t[0], max(t[-1], t[0] + 1e-9)))
+    handled = max(np.nanmax(run.series("mass_inflow")), np.nanmax(run.series("mass_stored")))
+    error = np.abs(run.series("mass_error")) / handled
+    mass.semilogy(t, np.maximum(error, ROUND_OFF), color=look.BLUE, linewidth=1.1)
+    mass.set_ylim(0.5 * ROUND_OFF, max(2.0 * np.nanmax(error), 1e-8))
+    mass.set(ylabel="relative error [1]", xlabel="time [s]", xlim=(t[0], max(t[-1], t[0] + 1e-9)))
 
     for number, (axes, words) in enumerate(zip(panels, TITLES)):
         look.label(axes, number, words)

@@ -98,7 +98,7 @@ class Geometry(WithFolder):
         cut = layer_profiles.Slice(run, k, height, 0.3, s)
         self.assertAlmostEqual(cut.slope, -0.36)
         self.assertAlmostEqual(layer_profiles.face_angle(cut), 29.2 + np.degrees(np.arctan(0.36)))
-        np.testing.assert_allclose(cut.values(3.0 * (height - z)), 3.0 * s * np.hypot(1.0, 0.36), atol=1e-9)
+        np.testing.assert_allclose(cut.values(3.0 * (height - z), to_surface=True), 3.0 * s * np.hypot(1.0, 0.36), atol=1e-9)
 
 
 class Drawing(WithFolder):
