@@ -43,7 +43,7 @@ struct Grid {
   double cluster_depth;        ///< H0 [m]: layers are uniform where the heap is much thinner, geometric where much deeper
 };
 
-enum class Advection { none, upwind, linear };
+enum class Advection { none, upwind, central };
 
 /// Numerical devices, each named, each with its place of action in the output.
 struct Numerics {
@@ -51,7 +51,6 @@ struct Numerics {
   double film = 5e-4;          ///< Hs: the immobile part of a film on the base [m]
   double film_blend = 4.0;     ///< the donor flux of thin films fades out between 1 and this many film thicknesses above Hs [1]
   double film_speed = 1e-5;    ///< speed scale e of the smooth donor switch [m/s]
-  double surface_filter = 0.0; ///< coefficient of the conservative fourth-difference mass flux in the top cell [1]
 };
 
 struct Initial {

@@ -58,6 +58,7 @@ layer::Inflow inflow_of(const Values& v) {
   inflow.stop = number_or(v, "inflow.stop", inflow.stop);
   inflow.ramp = v.number("inflow.ramp");
   inflow.along_gravity = v.boolean("inflow.along_gravity");
+  inflow.momentum = v.boolean("inflow.momentum");
   return inflow;
 }
 
@@ -84,8 +85,7 @@ layer::Numerics numerics_of(const Values& v) {
   return {.advection = words::meaning(words::advections, v.text("model.advection")),
           .film = v.number("model.film"),
           .film_blend = v.number("model.film_blend"),
-          .film_speed = v.number("model.film_speed"),
-          .surface_filter = v.number("model.surface_filter")};
+          .film_speed = v.number("model.film_speed")};
 }
 
 Integration integration_of(const Values& v) {

@@ -51,6 +51,7 @@ void experiment(Schema& s) {
   s.add(number("stop", "s", "time at which the inlet begins to close").above(0.0).optional("it stays open"));
   s.add(number("ramp", "s", "duration of the smooth ramp that follows start and stop").above(0.0).fallback(0.2));
   s.add(boolean("along_gravity", "the jet falls along gravity, not normal to the base").fallback(true));
+  s.add(boolean("momentum", "the jet brings the momentum of its free fall, not that of the grains it meets").fallback(false));
 }
 
 void rheology_of(Schema& s) {
@@ -91,7 +92,7 @@ void numerics(Schema& s) {
   s.add(number("initial_thickness", "m", "thickness of the layer at rest at the start")
             .above(0.0)
             .optional("model.film"));
-  s.add(choice("advection", words::of(words::advections), "inertia carried along: none, first-order upwind, or linear")
+  s.add(choice("advection", words::of(words::advections), "inertia carried along: none, first-order upwind, or second-order central")
             .fallback(std::string("upwind")));
   s.add(number("film", "m", "thickness of the immobile film on the base; its mass is in the budget")
             .above(0.0)
@@ -100,15 +101,10 @@ void numerics(Schema& s) {
             .above(0.0)
             .fallback(4.0));
   s.add(number("film_speed", "m/s", "speed at which the giving column changes sides").above(0.0).fallback(1e-5));
-  s.add(number("surface_filter", "1",
-               "coefficient of the fourth-difference mass flux that damps a sawtooth of the surface")
-            .at_least(0.0)
-            .at_most(0.125)
-            .fallback(0.0));
 
   s.section("grid", "cells");
   s.add(integer("columns", "along the base").at_least(1).at_most(20000));
-  s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
+  s.add(integer("layers", "from the base to the surface").at_least(3).at_most(2000));
   s.add(number("cluster_depth", "m",
                "layers are uniform where the heap is much thinner, clustered at the surface where much deeper")
             .above(0.0)

@@ -20,7 +20,7 @@ using Table = std::array<std::pair<std::string_view, T>, N>;
 inline constexpr Table<rheology::Cap, 3> caps{
     {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
 inline constexpr Table<layer::Advection, 3> advections{
-    {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"linear", layer::Advection::linear}}};
+    {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"central", layer::Advection::central}}};
 inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},

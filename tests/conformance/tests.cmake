@@ -1,0 +1,1 @@
+talus_test(conformance layer ROOMS app)

@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ida/ida.hpp"
+#include "layer/layer.hpp"
+#include "support/layer_scene.hpp"
+#include "support/random_state.hpp"
+
+namespace {
+
+using namespace talus;
+using tests::small;
+
+class EachExample : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachExample, JacobianEqualsCentralDifferencesColumnByColumn) {
+  for (const char* settings : {"rheology.cap=smooth", "rheology.p_0=5", "inflow.momentum=true", "inflow.along_gravity=false"}) {
+    const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5, {settings})));
+    std::vector<double> y, yp;
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+      tests::RandomState{}.fill(system, seed, y, yp);
+      core::Index worst = -1;
+      EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6)
+          << settings << ", seed " << seed << ": " << system.describe(worst);
+    }
+  }
+}
+
+TEST_P(EachExample, JacobianAtRestAndCreeping) {
+  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5)));
+  std::vector<double> y, yp;
+  for (const double speed : {0.0, 1e-3}) {
+    tests::RandomState{speed}.fill(system, 3, y, yp);
+    core::Index worst = -1;
+    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6) << speed << " m/s: " << system.describe(worst);
+  }
+}
+
+TEST_P(EachExample, NoRowAndNoColumnIsEmpty) {
+  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5)));
+  const auto& pattern = system.pattern();
+  std::vector<int> in_row(pattern.n(), 0);
+  for (const auto row : pattern.rows()) ++in_row[row];
+  for (core::Index i = 0; i < pattern.n(); ++i) {
+    EXPECT_GT(in_row[i], 0) << system.describe(i);
+    EXPECT_LT(pattern.column_starts()[i], pattern.column_starts()[i + 1]) << system.describe(i);
+  }
+}
+
+TEST_P(EachExample, EveryRowIsDescribedOnceAndHasAUnit) {
+  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 4, 3)));
+  std::set<std::string> words;
+  for (core::Index i = 0; i < system.layout().size(); ++i) EXPECT_TRUE(words.insert(system.describe(i)).second) << system.describe(i);
+  for (const auto& field : system.layout().fields) EXPECT_FALSE(field.unit.empty()) << field.name;
+}
+
+TEST_P(EachExample, MassFluxesTelescope) {
+  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 20, 6)));
+  std::vector<double> y, yp, r(system.layout().size());
+  tests::RandomState{}.fill(system, 5, y, yp);
+  std::fill(yp.begin(), yp.end(), 0.0);
+  system.residual(0.1, y, yp, r);
+  const auto& par = system.parameters();
+  const auto& at = system.unknowns();
+  const double mass_of_height = par.grains.rho() * par.box.gap * system.columns().dx();
+  double sum = 0.0, size = 0.0;
+  for (int i = 0; i < system.columns().n_columns; ++i) {
+    sum += mass_of_height * r[at.H(i)];
+    size += std::abs(mass_of_height * r[at.H(i)]);
+  }
+  if (at.mass_in() >= 0) sum -= r[at.mass_in()];
+  if (at.mass_left() >= 0) sum += r[at.mass_left()];
+  if (at.mass_right() >= 0) sum += r[at.mass_right()];
+  EXPECT_LT(std::abs(sum), 1e-14 * size);
+}
+
+INSTANTIATE_TEST_SUITE_P(Layer, EachExample, testing::ValuesIn(tests::layer_examples()),
+                         [](const auto& each) { return each.param; });
+
+/// A heap deep enough to be no film, with a rough surface.
+double rough_height(int i) { return 0.02 + 0.004 * std::sin(1.7 * i) + 0.003 * std::cos(0.9 * i * i); }
+
+TEST(Layer, UniformFlowStaysUniformOnAMovingGrid) {
+  auto par = app::make_layer_parameters(small("chute_periodic", 24, 7));
+  par.box.gravity = 0.0;  // no weight, no friction: nothing but inertia
+  par.box.base_slope = 0.0;
+  par.wall.mu_w = 0.0;
+  par.law = rheology::Constant{0.0};
+  const layer::Layer system(par);
+  const auto& at = system.unknowns();
+  const int nx = 24, nz = 7;
+  const double U = 0.7, dx = system.columns().dx();
+  std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y);
+  for (int i = 0; i < nx; ++i) {
+    y[at.H(i)] = rough_height(i);
+    yp[at.H(i)] = -U * (rough_height((i + 1) % nx) - rough_height((i + nx - 1) % nx)) / (2.0 * dx);
+  }
+  const auto& context = system.context(0.0, y);
+  const auto slope = [&](const std::vector<double>& z, const std::vector<double>& by, int i, int k) {
+    const auto left = context.at(i - 1, k), right = context.at(i + 1, k);
+    if (&z == &by) return (z[right] - z[left]) / (2.0 * dx);
+    return (z[right] * by[at.H((i + 1) % nx)] - z[left] * by[at.H((i + nx - 1) % nx)]) / (2.0 * dx);
+  };
+  for (int i = 0; i < nx; ++i)
+    for (int k = 0; k < nz; ++k) {
+      y[at.u(i, k)] = U;
+      y[at.omega(i, k + 1)] = -U * slope(context.z, context.z, i, k + 1);
+      yp[at.omega(i, k + 1)] = -U * slope(context.dz, yp, i, k + 1);
+    }
+  system.residual(0.0, y, yp, r);
+  const double inertia = par.grains.rho() * U * U;  // [Pa], the size of the terms that must cancel
+  for (core::Index i = 0; i < system.layout().size(); ++i) EXPECT_LT(std::abs(r[i]), 1e-13 * inertia) << system.describe(i);
+}
+
+TEST(Layer, LevelSurfaceOverATiltedBaseIsAtRestToRoundOff) {
+  auto par = app::make_layer_parameters(small("heap_no_walls", 24, 7));
+  const layer::Layer system(par);
+  const auto& at = system.unknowns();
+  std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y);
+  const double weight = par.grains.rho() * par.box.gravity * std::cos(par.box.tilt);
+  for (int i = 0; i < 24; ++i) y[at.H(i)] = 0.01 + std::tan(par.box.tilt) * system.columns().x_centre(i);
+  const auto& context = system.context(0.0, y);
+  for (int i = 0; i < 24; ++i)
+    for (int k = 0; k < 7; ++k)
+      y[at.p(i, k)] = weight * (y[at.H(i)] - 0.5 * (context.z[context.at(i, k)] + context.z[context.at(i, k + 1)]));
+  system.residual(0.0, y, yp, r);
+  for (int f = 1; f < 24; ++f)
+    for (int k = 0; k < 7; ++k) EXPECT_LT(std::abs(r[at.u(f, k)]), 1e-13 * weight) << system.describe(at.u(f, k));
+  for (int i = 0; i < 24; ++i)
+    for (int k = 1; k <= 7; ++k) EXPECT_LT(std::abs(r[at.momentum_w(i, k)]), 1e-13 * weight);
+}
+
+TEST(Layer, ARunStartedFromACheckpointEqualsTheOneThatWroteItBitByBit) {
+  const auto scene = small("heap_q46", 30, 8, {"integrator.linear_solver=klu"});
+  const layer::Layer system(app::make_layer_parameters(scene));
+  const auto options = app::make_integrator_options(scene);
+  core::Observer nobody;
+  std::vector<double> y(system.layout().size()), yp(y);
+  system.initial_state(0.0, y, yp);
+  ida::Ida first(system, options), second(system, options);
+  first.start(0.0, y, yp);
+  first.advance(0.8, nobody);
+  const auto checkpoint = first.current();
+  const std::vector<double> saved(checkpoint.y.begin(), checkpoint.y.end()), saved_rate(checkpoint.yp.begin(), checkpoint.yp.end());
+  first.restart();
+  first.advance(1.2, nobody);
+  second.start(0.8, saved, saved_rate);
+  second.advance(1.2, nobody);
+  const auto a = first.current(), b = second.current();
+  for (std::size_t i = 0; i < y.size(); ++i) ASSERT_EQ(a.y[i], b.y[i]) << system.describe(static_cast<core::Index>(i));
+}
+
+}  // namespace
