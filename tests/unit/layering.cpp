@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "grid/layering.hpp"
+
+namespace {
+
+using talus::grid::Layering;
+
+struct Heights {
+  std::vector<double> z, dz, d2z;
+};
+
+Heights at(const Layering& layering, double H) {
+  const std::size_t n = layering.n_layers() + 1;
+  Heights h{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  layering.heights(H, h.z, h.dz, h.d2z);
+  return h;
+}
+
+TEST(Layering, DerivativesEqualCentralDifferences) {
+  const Layering layering(7, 0.003);
+  for (const double H : {5e-4, 0.01, 0.2}) {
+    const double step = 1e-5 * H;
+    const auto here = at(layering, H), up = at(layering, H + step), down = at(layering, H - step);
+    for (int k = 0; k <= 7; ++k) {
+      EXPECT_NEAR(here.dz[k], (up.z[k] - down.z[k]) / (2 * step), 1e-8);
+      EXPECT_NEAR(here.d2z[k] * H, (up.dz[k] - down.dz[k]) / (2 * step) * H, 1e-8);
+    }
+  }
+}
+
+TEST(Layering, RunsFromTheBaseToTheSurfaceAndIsUniformWhenThin) {
+  const Layering layering(10, 0.003);
+  for (const double H : {1e-6, 0.15}) {
+    const auto h = at(layering, H);
+    EXPECT_EQ(h.z[0], 0.0);
+    EXPECT_DOUBLE_EQ(h.z[10], H);
+    for (int k = 0; k < 10; ++k) EXPECT_GT(h.z[k + 1], h.z[k]);
+    EXPECT_NEAR(layering.top_layer(H), h.z[10] - h.z[9], 1e-15);
+  }
+  const auto thin = at(layering, 1e-6);
+  for (int k = 0; k <= 10; ++k) EXPECT_NEAR(thin.z[k], k * 1e-7, 1e-10);
+  EXPECT_LT(layering.top_layer(0.15), 0.1 * 0.15 / 10);
+}
+}  // namespace
