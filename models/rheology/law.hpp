@@ -19,11 +19,6 @@ template <class S>
 S friction(const Law& law, const S& I) {
   return std::visit([&](const auto& l) { return l.friction(I); }, law);
 }
-/// The chain rule with the analytic slope: one pass over the N derivatives instead of one for each operation.
-template <int N>
-core::Dual<N> friction(const Law& law, const core::Dual<N>& I) {
-  return std::visit([&](const auto& l) { return I.chain(l.friction(I.value), l.slope(I.value)); }, law);
-}
 
 /// dmu/dI.
 template <class S>

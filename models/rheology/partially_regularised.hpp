@@ -11,6 +11,7 @@ namespace talus::rheology {
 /// mu(I) of Barker & Gray (2017), (3.19): logarithmic creep up to I_N, rational above and linear at large I, so that
 /// every mu >= 0 has its I. Continuous (A of (3.20)); its slope jumps at I_N. Below `tiny_I` the logarithm is continued
 /// by the parabola through zero that joins it with its slope: mu(0) = 0 and dmu/dI stays finite there.
+/// (ln(A/I) is written -log(I/A): the derivative of A/I overflows.)
 struct PartiallyRegularised {
   static constexpr const char* name = "partially regularised";
   static constexpr double tiny_I = 1e-200;
@@ -30,7 +31,7 @@ struct PartiallyRegularised {
         },
         [&] {
           return core::select_above(
-              I, tiny_I, [&] { return S(sqrt(alpha / log(A / I))); },
+              I, tiny_I, [&] { return S(sqrt(alpha / -log(I / A))); },
               [&] {
                 const S x = I / tiny_I;
                 return S(creep_limit() * x * (2.0 - creep_power() - (1.0 - creep_power()) * x));
@@ -55,8 +56,8 @@ struct PartiallyRegularised {
           return core::select_above(
               I, tiny_I,
               [&] {
-                const S decades = log(A / I);
-                return S(0.5 * sqrt(alpha / decades) / (I * decades));
+                const S folds = -log(I / A);
+                return S(0.5 * sqrt(alpha / folds) / (I * folds));
               },
               [&] {
                 const S x = I / tiny_I;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <type_traits>
 
 #include "core/scalar.hpp"
 #include "rheology/law.hpp"
@@ -52,8 +51,8 @@ S inertial_number(const Grains& grains, const Regularisation& reg, const S& D_no
   return 2.0 * grains.d * rate / sqrt(positive_pressure(p, reg.p_0) / grains.rho_star + tiny_speed * tiny_speed);
 }
 
-namespace detail {
-
+/// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 +
+/// floor^2), and the same floored rate enters I (3.15). Finite, with finite derivatives, at rest and at any p.
 template <class S, class F>
 S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
             const S& p) {
@@ -74,29 +73,6 @@ S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, con
     }
   }
   return eta;
-}
-
-}  // namespace detail
-
-/// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 +
-/// floor^2), and the same floored rate enters I (3.15). Finite, with finite derivatives, at rest and at any p.
-template <class S, class F>
-S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
-            const S& p) {
-  return detail::viscosity(law, grains, reg, D_norm_squared, floor, p);
-}
-/// The same function of three numbers, differentiated once for these and chained to the N inputs behind them.
-template <int N, class F>
-core::Dual<N> viscosity(const Law& law, const Grains& grains, const Regularisation& reg,
-                        const core::Dual<N>& D_norm_squared, const F& floor, const core::Dual<N>& p) {
-  using Three = core::Dual<3>;
-  const Three eta = detail::viscosity(law, grains, reg, Three::input(D_norm_squared.value, 0),
-                                      Three::input(core::value_of(floor), 1), Three::input(p.value, 2));
-  core::Dual<N> r(eta.value);
-  for (int i = 0; i < N; ++i) r.slope[i] = eta.slope[0] * D_norm_squared.slope[i] + eta.slope[2] * p.slope[i];
-  if constexpr (std::is_same_v<F, core::Dual<N>>)
-    for (int i = 0; i < N; ++i) r.slope[i] += eta.slope[1] * floor.slope[i];
-  return r;
 }
 
 }  // namespace talus::rheology
