@@ -7,21 +7,31 @@
 
 #include "linear/banded_solver.hpp"
 #include "linear/checked_solver.hpp"
+#include "linear/condensed_solver.hpp"
 #include "linear/klu_solver.hpp"
+#include "linear/memory_limit.hpp"
 #include "linear/umfpack_solver.hpp"
 
 namespace talus::linear {
 namespace {
 
-// Operations a second of each library's kernels and seconds an entry of the matrix or of the factors, fitted to the table in
-// the room's README. Only their ratios matter.
-double klu_seconds(const Statistics& s) { return s.flops / 0.9e9 + 6e-9 * static_cast<double>(s.fill); }
+// Seconds of a factorisation with the solves that follow it, from counted operations, entries of the factors and of the matrix,
+// fitted to the table in the room's README. Only their ratios matter.
+constexpr double solves = 10.0;
+constexpr double klu_speed = 2.2e9;
+double klu_seconds(const Statistics& s) { return s.flops / klu_speed + solves * 5e-9 * static_cast<double>(s.fill); }
 double umfpack_seconds(const Statistics& s, Index n_nonzeros) {
-  return s.flops / 6e9 + 6e-9 * static_cast<double>(s.fill) + 5e-8 * static_cast<double>(n_nonzeros);
+  return s.flops / 6e9 + 8e-8 * static_cast<double>(n_nonzeros) + (7e-9 + solves * 2.1e-9) * static_cast<double>(s.fill);
 }
 double banded_seconds(const BandedSolver& solver) {
-  const double width = static_cast<double>(std::max<Index>(solver.lower(), 1));
-  return solver.flops_bound() / (12e9 * width / (width + 100.0)) + 0.5e-9 * static_cast<double>(solver.memory() / sizeof(double));
+  const double width = static_cast<double>(solver.lower()), entries = static_cast<double>(solver.memory() / sizeof(double));
+  return solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries;
+}
+
+/// Two threads share the band.
+double condensed_seconds(const CondensedSolver& solver) {
+  const double width = static_cast<double>(solver.width()), entries = static_cast<double>(solver.memory() / sizeof(double));
+  return 0.6 * (solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries);
 }
 
 }  // namespace
@@ -38,34 +48,49 @@ void AutomaticSolver::choose(std::span<const double> values) {
   std::ostringstream trials;
   trials.precision(2);
   double best = HUGE_VAL;
-  const auto offer = [&](const char* name, std::unique_ptr<DirectSolver> solver, const auto& predict) {
-    trials << (trials.str().empty() ? "" : ", ") << name << ' ';
+  const auto offer = [&](const char* name, std::unique_ptr<CheckedSolver> solver, const auto& predict) {
+    trials << (trials.str().empty() ? "" : ", ") << name;
     try {
       solver->factor(values);
-      const double seconds = predict(solver->statistics());
-      trials << "fill " << static_cast<double>(solver->statistics().fill) << " predicted " << seconds * 1e3 << " ms";
-      if (solver->statistics().test_residual > CheckedSolver::accept_below) {
-        trials << " (residual " << solver->statistics().test_residual << ')';
+      const double seconds = predict(solver->statistics()), residual = solver->prove();
+      trials << ' ' << seconds * 1e3 << " ms";
+      if (!(residual < CheckedSolver::accept_below)) {
+        trials << " (residual " << residual << ')';
       } else if (seconds < best) {
         best = seconds;
         chosen_ = std::move(solver);
       }
     } catch (const SingularMatrix& error) {
-      trials << "no: " << error.what();
+      trials << " no (" << error.what() << ')';
     }
   };
 
-  offer("UMFPACK", std::make_unique<UmfpackSolver>(pattern_),
-        [&](const Statistics& s) { return umfpack_seconds(s, pattern_.n_nonzeros()); });
-  // KLU can only win with factors that are not much larger; the limit keeps its trial short on wide grids.
-  const Index max_fill = chosen_ ? 3 * chosen_->statistics().fill : 0;
-  offer("KLU", std::make_unique<KluSolver>(pattern_, KluSolver::Settings{settings_.pivot_tolerance, settings_.ordering, max_fill}),
-        klu_seconds);
   auto banded = std::make_unique<BandedSolver>(pattern_, settings_.ordering);
-  if (const double seconds = banded_seconds(*banded); seconds < best) {
-    offer("banded", std::move(banded), [seconds](const Statistics&) { return seconds; });
-  } else {
-    trials << ", banded predicted " << seconds * 1e3 << " ms";
+  const double band_seconds = banded_seconds(*banded);
+  double fewest_flops = HUGE_VAL;
+  Index least_fill = 0;
+  const auto umfpack = [&](const Statistics& s) {
+    if (s.flops < fewest_flops) least_fill = s.fill;
+    fewest_flops = std::min(fewest_flops, s.flops);
+    return umfpack_seconds(s, pattern_.n_nonzeros());
+  };
+  offer("UMFPACK unsymmetric", std::make_unique<UmfpackSolver>(pattern_, UmfpackSolver::Strategy::unsymmetric), umfpack);
+  {
+    // Without a good diagonal this strategy fills in without bound.
+    const MemoryLimit limit(chosen_ ? 2 * bytes_an_entry * static_cast<std::size_t>(least_fill) : 0);
+    offer("UMFPACK symmetric", std::make_unique<UmfpackSolver>(pattern_, UmfpackSolver::Strategy::symmetric), umfpack);
+  }
+  // KLU needs about the operations and the fill of UMFPACK: that tells beforehand where it cannot win, and when to stop it.
+  if (fewest_flops / klu_speed < std::min(best, band_seconds)) {
+    const KluSolver::Settings klu{settings_.pivot_tolerance, settings_.ordering, 2 * least_fill};
+    offer("KLU", std::make_unique<KluSolver>(pattern_, klu), klu_seconds);
+  }
+  if (band_seconds < best) {
+    offer("banded", std::move(banded), [band_seconds](const Statistics&) { return band_seconds; });
+  }
+  auto condensed = std::make_unique<CondensedSolver>(pattern_);
+  if (const double seconds = condensed_seconds(*condensed); condensed->n_kept() < pattern_.n() && seconds < best) {
+    offer("condensed", std::move(condensed), [seconds](const Statistics&) { return seconds; });
   }
   trials_ = trials.str();
   if (!chosen_) throw SingularMatrix("no direct solver gives usable factors: " + trials_, -1);
@@ -77,7 +102,7 @@ const Statistics& AutomaticSolver::statistics() const {
 }
 
 std::string AutomaticSolver::describe() const {
-  return chosen_ ? chosen_->describe() + "; chosen on the first matrix from: " + trials_ : "automatic, not chosen yet";
+  return chosen_ ? chosen_->describe() + "; predicted on the first matrix: " + trials_ : "automatic, not chosen yet";
 }
 
 }  // namespace talus::linear

@@ -75,7 +75,7 @@ std::string BandedSolver::describe() const {
   std::ostringstream line;
   line << "LAPACK band LU, ordering " << name_ << ", " << lower_ << " + " << upper_ << " diagonals, "
        << memory() / (1 << 20) << " MiB";
-  if (statistics().factorisations > 0) line << ", test residual " << statistics().test_residual;
+  if (statistics().factorisations > 0) line << ", residual " << statistics().first_residual;
   return line.str();
 }
 

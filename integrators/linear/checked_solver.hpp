@@ -4,19 +4,22 @@
 
 namespace talus::linear {
 
-/// What the solvers share: each factorisation is proved by one solve with a known right side, and reused pivots that fail it are
-/// given up; each solve is followed by its residual and, where that is above `refine_above`, by up to two steps of iterative
-/// refinement. The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry of each row.
+/// What the solvers share. Each solve is followed by its residual and, where that is above `refine_above`, by up to two steps of
+/// iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew, with new pivots.
+/// The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry of each row.
 class CheckedSolver : public DirectSolver {
  public:
-  static constexpr double accept_below = 1e-8;   ///< of a test solve
-  static constexpr double refine_above = 1e-12;  ///< of a solve
+  static constexpr double accept_below = 1e-8;   ///< relative residual of a first solve
+  static constexpr double refine_above = 1e-12;  ///< relative residual of any solve
 
   explicit CheckedSolver(const SparsePattern& pattern);
 
   void factor(std::span<const double> values) final;
   void solve(std::span<double> b) final;
   [[nodiscard]] const Statistics& statistics() const final { return statistics_; }
+
+  /// Relative residual of a solve with a fixed pseudo-random right side, before refinement; infinite where it is not finite.
+  double prove();
 
  protected:
   /// Full factorisation with pivot search; records fill and flops. Throws SingularMatrix.
@@ -26,8 +29,6 @@ class CheckedSolver : public DirectSolver {
   /// b <- (L U)^-1 b.
   virtual void substitute(std::span<double> b) = 0;
 
-  /// Relative residual of a solve with a fixed pseudo-random right side; kept as statistics().test_residual.
-  double prove();
   void record(Index fill, double flops) {
     statistics_.fill = fill;
     statistics_.flops = flops;
@@ -43,7 +44,8 @@ class CheckedSolver : public DirectSolver {
 
   const SparsePattern& pattern_;
   std::vector<double> values_, row_scale_;
-  std::vector<double> b_, r_, size_;  // scratch of solve()
+  bool first_ = false;  // the first solve with the factors is still to come
+  std::vector<double> b_, r_, size_, x_;  // scratch of solve()
   Statistics statistics_;
 };
 

@@ -31,12 +31,12 @@ class SingularMatrix : public std::runtime_error {
 struct Statistics {
   std::int64_t factorisations = 0;    ///< of all kinds
   std::int64_t refactorisations = 0;  ///< of these, with the pivots of an earlier one
-  std::int64_t rejected = 0;          ///< refactorisations that failed the test solve and were done anew
-  std::int64_t solves = 0;            ///< asked for; test solves and refinements do not count
+  std::int64_t rejected = 0;          ///< factorisations that failed their first solve and were done anew
+  std::int64_t solves = 0;            ///< asked for; refinements do not count
   std::int64_t refinements = 0;
   Index fill = 0;                     ///< entries of L + U of the last factorisation
   double flops = 0.0;                 ///< of the last full factorisation, as the library counts or bounds them
-  double test_residual = 0.0;         ///< relative residual of the last test solve, without refinement
+  double first_residual = 0.0;        ///< relative residual of the first solve of the last factorisation, before refinement
   double worst_residual = 0.0;        ///< largest relative residual of all solves, after refinement
 };
 
@@ -50,14 +50,14 @@ class DirectSolver {
 
   /// Factors the matrix `values` (shape n_nonzeros, in the order of the pattern; copied). Throws SingularMatrix.
   virtual void factor(std::span<const double> values) = 0;
-  /// b <- A^-1 b, shape n. Precondition: the last factor() returned.
+  /// b <- A^-1 b, shape n. Precondition: the last factor() returned. Throws SingularMatrix where the solution is not finite.
   virtual void solve(std::span<double> b) = 0;
   [[nodiscard]] virtual const Statistics& statistics() const = 0;
   /// One line: library with version, ordering, fill, residual.
   [[nodiscard]] virtual std::string describe() const = 0;
 };
 
-enum class Choice : std::uint8_t { automatic, klu, umfpack, banded };
+enum class Choice : std::uint8_t { automatic, klu, umfpack, banded, condensed };
 
 struct Settings {
   Choice choice = Choice::automatic;

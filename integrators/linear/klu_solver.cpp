@@ -53,9 +53,10 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
   factors->symbolic = name == "given" ? klu_l_analyze_given(pattern().n(), starts, rows, given, given, &common)
                                       : klu_l_analyze(pattern().n(), starts, rows, &common);
   if (factors->symbolic == nullptr) return nullptr;
+  // Block triangular form with one block that is nearly all of the matrix only permutes it.
+  if (common.btf != 0 && factors->symbolic->maxblock > pattern().n() * 9 / 10) return nullptr;
   if (max_fill > 0 && factors->symbolic->lnz + factors->symbolic->unz > static_cast<double>(max_fill)) return nullptr;
   {
-    constexpr std::size_t bytes_an_entry = sizeof(double) + sizeof(Index);
     const MemoryLimit limit(bytes_an_entry * static_cast<std::size_t>(max_fill));
     factors->numeric = klu_l_factor(starts, rows, const_cast<double*>(values().data()), factors->symbolic, &common);
   }
@@ -65,13 +66,13 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
 }
 
 void KluSolver::choose() {
-  std::vector<std::string> candidates = {"COLAMD", "COLAMD btf", "AMD", "AMD btf"};
+  std::vector<std::string> candidates = {"COLAMD", "COLAMD btf", "AMD"};
   if (!settings_.ordering.empty()) candidates.emplace_back("given");
   std::unique_ptr<Factors> best;
   std::ostringstream trials;
   for (const auto& name : candidates) {
-    // 1.5: memory grows by a fifth at a time, so a candidate a little better than the best may ask for a little more.
-    auto trial = attempt(name, best ? best->fill() * 3 / 2 : settings_.max_fill);
+    // Memory grows by a fifth at a time, so a candidate a little better than the best may ask for a little more.
+    auto trial = attempt(name, best ? best->fill() * 5 / 4 : settings_.max_fill);
     trials << (best || !trials.str().empty() ? ", " : "") << name << ' ';
     if (!trial) {
       trials << "given up";
@@ -124,8 +125,8 @@ std::string KluSolver::describe() const {
   std::ostringstream line;
   line << "KLU " << KLU_MAIN_VERSION << '.' << KLU_SUB_VERSION << '.' << KLU_SUBSUB_VERSION;
   if (factors_) {
-    line << ", ordering " << factors_->name << ", fill " << statistics().fill << ", test residual "
-         << statistics().test_residual << " (tried: " << trials_ << ')';
+    line << ", ordering " << factors_->name << ", fill " << statistics().fill << ", residual "
+         << statistics().first_residual << " (tried: " << trials_ << ')';
   }
   return line.str();
 }

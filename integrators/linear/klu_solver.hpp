@@ -10,9 +10,9 @@ namespace talus::linear {
 
 /// KLU: left-looking sparse LU without dense blocks, best for thin grids and up to about 10^4 unknowns.
 ///
-/// The first matrix decides the ordering among COLAMD and AMD, each with and without block triangular form, and a given ordering:
-/// the one with the fewest operations whose test solve passes. A candidate that outgrows the best factors so far is stopped
-/// (AMD on a saddle point may need a hundred times the time of COLAMD). Later matrices reuse the pivots while the test solve allows.
+/// The first matrix decides the ordering: COLAMD, COLAMD in block triangular form where that breaks the matrix up, AMD, or a given
+/// one; the fewest operations win among those whose test solve passes. A candidate that outgrows the best factors so far is stopped
+/// (AMD on a saddle point may need a hundred times the time of COLAMD). Later matrices reuse the pivots while the residual allows.
 class KluSolver final : public CheckedSolver {
  public:
   struct Settings {

@@ -4,6 +4,8 @@
 #include <exception>
 #include <thread>
 
+#include "linear/blas.hpp"
+
 extern "C" {
 void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv, int* info);
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
@@ -22,9 +24,14 @@ namespace {
 /// Below this many unknowns for each diagonal the separator costs more than the second thread saves.
 constexpr Index least_rows_per_diagonal = 12;
 
-/// Runs both; the second on a thread of its own. Rethrows the first's exception before the second's.
+/// Runs both; the second on a thread of its own where BLAS allows it. Rethrows the first's exception before the second's.
 template <class First, class Second>
 void both(First&& first, Second&& second) {
+  if (!blas_allows_threads()) {
+    first();
+    second();
+    return;
+  }
   std::exception_ptr failure;
   std::thread other([&] {
     try {

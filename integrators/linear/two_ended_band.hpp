@@ -7,7 +7,7 @@
 
 namespace talus::linear {
 
-/// LU of a band matrix from both ends at once, on two threads: the unknowns are cut into a left part, a separator as wide as
+/// LU of a band matrix from both ends at once, on two threads where BLAS allows it (blas.hpp): the unknowns are cut into a left part, a separator as wide as
 /// the band, and a right part that is numbered from its far end. LAPACK factors the parts with partial pivoting; a dense
 /// matrix joins them on the separator. Small matrices have an empty right part and separator and use one thread.
 /// The arithmetic does not depend on how the threads run: same input, same bits.

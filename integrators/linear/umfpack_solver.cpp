@@ -9,9 +9,12 @@ namespace talus::linear {
 
 static_assert(sizeof(SuiteSparse_long) == sizeof(Index));
 
-UmfpackSolver::UmfpackSolver(const SparsePattern& matrix) : CheckedSolver(matrix), control_(UMFPACK_CONTROL) {
+UmfpackSolver::UmfpackSolver(const SparsePattern& matrix, Strategy strategy)
+    : CheckedSolver(matrix), strategy_(strategy), control_(UMFPACK_CONTROL) {
   umfpack_dl_defaults(control_.data());
-  control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_UNSYMMETRIC;
+  const bool symmetric = strategy == Strategy::symmetric;
+  control_[UMFPACK_STRATEGY] = symmetric ? UMFPACK_STRATEGY_SYMMETRIC : UMFPACK_STRATEGY_UNSYMMETRIC;
+  control_[UMFPACK_SYM_PIVOT_TOLERANCE] = 0.1;
   control_[UMFPACK_IRSTEP] = 0;
 }
 
@@ -50,8 +53,8 @@ void UmfpackSolver::substitute(std::span<double> b) {
 std::string UmfpackSolver::describe() const {
   std::ostringstream line;
   line << "UMFPACK " << UMFPACK_MAIN_VERSION << '.' << UMFPACK_SUB_VERSION << '.' << UMFPACK_SUBSUB_VERSION
-       << ", unsymmetric strategy";
-  if (numeric_ != nullptr) line << ", fill " << statistics().fill << ", test residual " << statistics().test_residual;
+       << (strategy_ == Strategy::symmetric ? ", symmetric" : ", unsymmetric") << " strategy";
+  if (numeric_ != nullptr) line << ", fill " << statistics().fill << ", residual " << statistics().first_residual;
   return line.str();
 }
 

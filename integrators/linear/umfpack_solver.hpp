@@ -4,11 +4,15 @@
 
 namespace talus::linear {
 
-/// UMFPACK: multifrontal LU with dense blocks, for 2-D grids beyond about 10^4 unknowns. Its unsymmetric strategy is forced: the
-/// automatic choice takes the symmetric one for a saddle point. Refinement is CheckedSolver's. Pivots are searched each time.
+/// UMFPACK: multifrontal LU with dense blocks, for 2-D grids. Refinement is CheckedSolver's. Pivots are searched each time.
+///
+/// Its strategy is set, not left to UMFPACK, which takes the symmetric one for any matrix of symmetric pattern: that one orders with
+/// AMD and pivots on the diagonal, and is the better by far where the diagonal is good and useless on a plain saddle point.
 class UmfpackSolver final : public CheckedSolver {
  public:
-  explicit UmfpackSolver(const SparsePattern& pattern);
+  enum class Strategy { symmetric, unsymmetric };
+
+  explicit UmfpackSolver(const SparsePattern& pattern, Strategy strategy = Strategy::unsymmetric);
   ~UmfpackSolver() override;
   [[nodiscard]] std::string describe() const override;
 
@@ -17,6 +21,7 @@ class UmfpackSolver final : public CheckedSolver {
   void substitute(std::span<double> b) override;
 
  private:
+  Strategy strategy_;
   std::vector<double> control_;
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
