@@ -79,7 +79,7 @@ class LongRun : public testing::Test {
  protected:
   void SetUp() override {
     const auto log = folder_ / "out" / "run.log";
-    for (int i = 0; i < 1500 && contents(log).find("steps") == std::string::npos && program_.running(); ++i) {
+    for (int i = 0; i < 3000 && contents(log).find("steps") == std::string::npos && program_.running(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     ASSERT_TRUE(program_.running()) << program_.output();
