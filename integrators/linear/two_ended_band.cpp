@@ -61,6 +61,8 @@ TwoEndedBand::TwoEndedBand(Index n, Index width) : n_(n), width_(width) {
   for (auto& part : part_) {
     part.band.resize(leading() * part.n);
     part.pivots.resize(part.n);
+    part.above.resize(part.n);
+    part.below.resize(part.n);
     part.to.resize(window(part) * separator_);
     part.from.resize(window(part) * separator_);
   }
@@ -111,6 +113,7 @@ void TwoEndedBand::factor_part(Part& part, std::vector<double>& schur) const {
   int info = 0;
   dgbtrf_(&n, &n, &k, &k, part.band.data(), &lead, part.pivots.data(), &info);
   if (info != 0) throw SingularMatrix("LAPACK dgbtrf: the matrix is singular", -1);
+  measure(part);
   if (separator_ == 0) return;
   // The last `window` columns of the factors are the factors of the trailing Schur complement, all that F and G touch.
   const Index w = window(part), first = part.n - w;
@@ -122,6 +125,17 @@ void TwoEndedBand::factor_part(Part& part, std::vector<double>& schur) const {
   schur.assign(separator_ * separator_, 0.0);
   const double one = 1.0, zero = 0.0;
   dgemm_("N", "N", &m, &m, &window_n, &one, part.from.data(), &m, x.data(), &window_n, &zero, schur.data(), &m, 1, 1);
+}
+
+void TwoEndedBand::measure(Part& part) const {
+  for (Index j = 0; j < part.n; ++j) {
+    const double* column = part.band.data() + j * leading() + 2 * width_;
+    Index above = std::min(2 * width_, j), below = std::min(width_, part.n - 1 - j);
+    while (above > 0 && column[-above] == 0.0) --above;
+    while (below > 0 && column[below] == 0.0) --below;
+    part.above[j] = static_cast<int>(above);
+    part.below[j] = static_cast<int>(below);
+  }
 }
 
 void TwoEndedBand::factor() {
@@ -147,7 +161,7 @@ void TwoEndedBand::forward(const Part& part, Index first, double* b) const {
     if (pivot != j) std::swap(*at, b[pivot - first]);
     const double value = *at;
     const double* column = part.band.data() + j * leading() + 2 * width_;
-    const Index reach = std::min(width_, part.n - 1 - j);
+    const Index reach = part.below[j];
     for (Index i = 1; i <= reach; ++i) at[i] -= column[i] * value;
   }
 }
@@ -158,7 +172,7 @@ void TwoEndedBand::backward(const Part& part, Index first, double* b) const {
     const double* column = part.band.data() + j * leading() + 2 * width_;
     double* at = b + (j - first);
     const double value = *at /= *column;
-    const Index reach = std::min(2 * width_, j - first);
+    const Index reach = std::min<Index>(part.above[j], j - first);
     for (Index i = 1; i <= reach; ++i) at[-i] -= column[-i] * value;
   }
 }

@@ -21,8 +21,7 @@ class TwoEndedBand {
   [[nodiscard]] Index width() const { return width_; }
   /// Sets all entries to zero.
   void clear();
-  /// Column j of the matrix, to be added to by assemblers: entry (i, j) is at column(j)[i * stride(j)], |i - j| <= width.
-  /// Entries that straddle the separator live elsewhere: use add() for single ones and add_column() for runs.
+  /// A(i, j) += value, |i - j| <= width.
   void add(Index i, Index j, double value);
   /// A(i, j) += scale * v[i - first], for i in [first, first + v.size()).
   void add_column(Index j, Index first, double scale, std::span<const double> v);
@@ -37,6 +36,7 @@ class TwoEndedBand {
     Index n = 0;                 ///< unknowns
     std::vector<double> band;    ///< LAPACK band storage, leading dimension 3 width + 1
     std::vector<int> pivots;
+    std::vector<int> above, below;  ///< entries of U above and of L below the diagonal of each column, up to the last non-zero
     std::vector<double> to;      ///< part rows of the window x separator columns: F, shape (window, m), column major
     std::vector<double> from;    ///< separator rows x part columns of the window: G, shape (m, window), column major
   };
@@ -52,6 +52,8 @@ class TwoEndedBand {
     if (i < left_ + separator_) return {2, i - left_};
     return {1, n_ - 1 - i};
   }
+  /// Measures how far the factors reach: substitution then passes over the zeros at the ends of columns.
+  void measure(Part& part) const;
   void factor_part(Part& part, std::vector<double>& schur) const;
   void forward(const Part& part, Index first, double* b) const;
   void backward(const Part& part, Index first, double* b) const;
