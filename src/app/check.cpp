@@ -30,8 +30,7 @@ std::string size_of(const Scene& scene) {
               scene.grid.layers, static_cast<long long>(scene.grid.columns) * scene.grid.layers,
               1e3 * scene.box.length / scene.grid.columns);
   out += line("size       %lld unknowns, %lld non-zeros of the Jacobian", n, n_nonzeros);
-  out +=
-      line("memory     about %.0f MB", expected_memory(static_cast<double>(n), static_cast<double>(n_nonzeros)) / 1e6);
+  out += line("memory     about %.0f MB", expected_memory(simulation.system->pattern()) / 1e6);
   out += line("output     %zu records of fields, %zu of series", scene.recording.field_times.size(),
               scene.recording.series_times.size());
   return out;
@@ -56,10 +55,16 @@ std::string steady_of(const Theory& theory) {
 
 }  // namespace
 
-double expected_memory(double n, double n_nonzeros) {
-  // Process and libraries; vectors; two copies of the matrix; factors. 16 bytes an entry of a sparse matrix.
-  constexpr double base = 40e6, vectors_per_unknown = 30.0 * 8.0, fill_over_nonzeros = 6.0;
-  return base + n * vectors_per_unknown + 16.0 * n_nonzeros * (2.0 + fill_over_nonzeros);
+double expected_memory(const core::SparsePattern& pattern) {
+  constexpr double base = 40e6, bytes = 180.0;
+  double distance = 0.0;
+  for (core::Index column = 0; column < pattern.n(); ++column) {
+    for (auto i = pattern.column_starts()[column]; i < pattern.column_starts()[column + 1]; ++i) {
+      distance += std::abs(static_cast<double>(pattern.rows()[i] - column));
+    }
+  }
+  const double mean_distance = distance / static_cast<double>(pattern.n_nonzeros());
+  return base + bytes * static_cast<double>(pattern.n()) * mean_distance;
 }
 
 std::string check_report(const Scene& scene) {
