@@ -59,7 +59,7 @@ check: configure ## formatting, clang-tidy on what changed, architecture, saniti
 	@cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1' -DTALUS_SANITIZE=address,undefined \
 	  --log-level=WARNING
 	@cmake --build build/sanitize -j $(JOBS) --target tests_unit tests_conformance
-	@ctest --test-dir build/sanitize --output-on-failure -j $(JOBS) --timeout 1200 --label-regex 'unit|conformance' --no-tests=error
+	@ctest --test-dir build/sanitize --output-on-failure -j $(JOBS) --timeout 1200 --label-regex 'unit|conformance' --label-exclude slow --no-tests=error
 
 check-all: ## check, with clang-tidy on every file
 	@$(MAKE) check TIDY=all
