@@ -10,7 +10,9 @@ namespace talus::app {
 namespace {
 
 output::Attributes attributes_of(const Scene& scene, const std::string& command) {
-  auto attributes = output::provenance_attributes({scene.effective, command, library_versions()});
+  auto libraries = library_versions();
+  std::erase(libraries, output::netcdf_version());  // the provenance adds it
+  auto attributes = output::provenance_attributes({scene.effective, command, libraries});
   attributes["title"] = scene.title.empty() ? scene.name : scene.title;
   attributes["scene_name"] = scene.name;
   attributes["box_tilt_deg"] = scene.box.tilt * 180.0 / std::numbers::pi;

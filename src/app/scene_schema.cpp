@@ -51,7 +51,8 @@ void experiment(Schema& s) {
   s.add(number("stop", "s", "time at which the inlet begins to close").above(0.0).optional("it stays open"));
   s.add(number("ramp", "s", "duration of the smooth ramp that follows start and stop").above(0.0).fallback(0.2));
   s.add(boolean("along_gravity", "the jet falls along gravity, not normal to the base").fallback(true));
-  s.add(boolean("momentum", "the jet brings the momentum of its free fall, not that of the grains it meets").fallback(false));
+  s.add(boolean("momentum", "the jet brings the momentum of its free fall, not that of the grains it meets")
+            .fallback(false));
 }
 
 void rheology_of(Schema& s) {
@@ -92,7 +93,8 @@ void numerics(Schema& s) {
   s.add(number("initial_thickness", "m", "thickness of the layer at rest at the start")
             .above(0.0)
             .optional("model.film"));
-  s.add(choice("advection", words::of(words::advections), "inertia carried along: none, first-order upwind, or second-order central")
+  s.add(choice("advection", words::of(words::advections),
+               "inertia carried along: none, first-order upwind, or second-order central")
             .fallback(std::string("upwind")));
   s.add(number("film", "m", "thickness of the immobile film on the base; its mass is in the budget")
             .above(0.0)

@@ -10,8 +10,8 @@
 namespace talus::config {
 
 /// Reads a TOML scene against a schema. Refused are unknown, duplicate, missing, mistyped, out-of-range and non-finite
-/// values and unknown words; an integer passes for a number. `overrides` are "key=value" texts that replace or add values
-/// and pass the same checks; words and texts need no quotes there.
+/// values and unknown words; an integer passes for a number. `overrides` are "key=value" texts that replace or add
+/// values and pass the same checks; words and texts need no quotes there.
 /// Throws core::ConfigError that names every problem found, each as "file:line:column: key: what was expected [unit]".
 Values read(const Schema& schema, const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
