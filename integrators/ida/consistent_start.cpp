@@ -33,10 +33,10 @@ class EulerStep final : public NewtonProblem {
     return equations_.refresh(t_, y_, yp_, 1.0 / step_);
   }
   Outcome solve(std::span<double> b) override { return equations_.solve(b); }
-  [[nodiscard]] double norm(std::span<const double> v) const override {
+  [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const override {
     double sum = 0.0;
-    for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * weights_[i] * v[i] * weights_[i];
-    return std::sqrt(sum / static_cast<double>(v.size()));
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * weights_[i] * b[i] * weights_[i];
+    return sum / static_cast<double>(a.size());
   }
   [[nodiscard]] double drift() const override { return equations_.c_j() == 1.0 / step_ ? 0.0 : HUGE_VAL; }
 

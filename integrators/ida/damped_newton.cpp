@@ -15,12 +15,13 @@ double remaining(double contraction) { return contraction < 1.0 ? contraction / 
 }  // namespace
 
 DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<double> x, double tolerance) {
-  for (auto* v : {&dx_, &g_, &trial_, &trial_dx_, &trial_g_}) v->resize(x.size());
+  for (auto* v : {&dx_, &g_, &step_, &trial_, &trial_dx_, &trial_g_}) v->resize(x.size());
   iterations_ = refreshes_ = 0;
   fresh_ = false;
   if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
   Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem, g_, dx_, norm_);
   if (status != Status::converged) return status;
+  step_ = dx_;
 
   double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
   while (true) {
@@ -40,7 +41,7 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
     if (expected > options_.refresh_above && refreshes_ < options_.max_refreshes) {
       status = renew(problem, x);
       if (status != Status::converged) return status;
-      // The correction shrinks with new factors as it would have with the old ones, or more: the old contraction still bounds it.
+      // New factors contract as the old ones did, or better: `expected` still bounds what follows.
     }
   }
 }
@@ -51,7 +52,19 @@ DampedNewton::Status DampedNewton::renew(NewtonProblem& problem, std::span<const
   if (const auto outcome = problem.refresh(x); outcome != Outcome::ok) return failure(outcome);
   fresh_ = true;
   contraction_ = unknown;
-  return correct(problem, g_, dx_, norm_);
+  const auto status = correct(problem, g_, dx_, norm_);
+  step_ = dx_;
+  return status;
+}
+
+/// From dx_ and the one before, `last`, which led to the step lambda step_: the next step. With a correction that changes in
+/// proportion to x along the step, dx - gamma (lambda step + dx - last) leaves the smallest correction behind.
+void DampedNewton::accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last) {
+  auto& change = trial_;
+  for (std::size_t i = 0; i < dx_.size(); ++i) change[i] = dx_[i] - last[i];
+  const double size = problem.product(change, change);
+  const double gamma = size > 0.0 ? problem.product(change, dx_) / size : 0.0;
+  for (std::size_t i = 0; i < dx_.size(); ++i) step_[i] = dx_[i] - gamma * (lambda * step_[i] + change[i]);
 }
 
 /// dx = -J^-1 g and its norm.
@@ -59,16 +72,16 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<con
                                            double& norm) {
   std::transform(g.begin(), g.end(), dx.begin(), [](double v) { return -v; });
   if (const auto outcome = problem.solve(dx); outcome != Outcome::ok) return failure(outcome);
-  norm = problem.norm(dx);
+  norm = std::sqrt(problem.product(dx, dx));
   return std::isfinite(norm) ? Status::converged : Status::diverged;
 }
 
-/// One accepted move x += lambda dx; on return dx_ and norm_ are the next correction, g_ the residual at the new x.
+/// One accepted move x += lambda step_; on return dx_ and norm_ are the next correction, g_ the residual at the new x.
 DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<double> x, double& lambda) {
   auto last = Status::diverged;
   for (int halvings = 0; halvings <= options_.max_halvings;) {
     ++iterations_;
-    for (std::size_t i = 0; i < x.size(); ++i) trial_[i] = x[i] + lambda * dx_[i];
+    for (std::size_t i = 0; i < x.size(); ++i) trial_[i] = x[i] + lambda * step_[i];
     const auto outcome = problem.residual(trial_, trial_g_);
     if (outcome == Outcome::broken) return Status::broken;
     if (outcome == Outcome::ok) {
@@ -80,6 +93,7 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
         std::swap(g_, trial_g_);
         std::swap(dx_, trial_dx_);
         norm_ = norm;
+        accelerate(problem, lambda, trial_dx_);
         fresh_ = false;
         return Status::converged;
       }

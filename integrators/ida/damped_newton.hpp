@@ -17,17 +17,21 @@ class NewtonProblem {
   virtual Outcome refresh(std::span<const double> x) = 0;
   /// b <- (approximate Jacobian)^-1 b with the factors at hand.
   virtual Outcome solve(std::span<double> b) = 0;
-  [[nodiscard]] virtual double norm(std::span<const double> v) const = 0;
+  /// The weighted inner product of which the norm is the root.
+  [[nodiscard]] virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
   /// Contraction to expect from what changed, apart from x, since the factors were made; 1 or more: useless or none at hand.
   [[nodiscard]] virtual double drift() const = 0;
 };
 
-/// Newton's method with a Jacobian that is kept while it contracts, and a natural monotonicity test.
+/// Newton's method with a Jacobian that is kept while it contracts, a secant acceleration, and a natural monotonicity test.
 ///
-/// From x with correction dx = -J^-1 G(x), the trial x + lambda dx is accepted if the next correction, with the same J, is smaller.
-/// If it is not: first a stale J is renewed, then lambda is halved. A contraction above `refresh_above` renews J at the new x. The
-/// iteration ends when contraction/(1 - contraction) times the last correction is below the tolerance.
-/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3.)
+/// With the correction dx = -J^-1 G(x) and what the last one became, dx - dx_last over the step x - x_last, the secant estimate of
+/// the remaining error along that direction makes the step s (Anderson's acceleration of depth one). The trial x + lambda s is
+/// accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is renewed, then lambda is halved.
+/// A contraction above `refresh_above` renews J at the new x. The iteration ends when contraction/(1 - contraction) times the last
+/// correction is below the tolerance.
+/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3; H. F. Walker and P. Ni, SIAM J. Numer.
+/// Anal. 49, 2011.)
 class DampedNewton {
  public:
   enum class Status { converged, diverged, refused, broken };
@@ -50,6 +54,7 @@ class DampedNewton {
 
   Status renew(NewtonProblem& problem, std::span<const double> x);
   Status correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx, double& norm);
+  void accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last);
   Status advance(NewtonProblem& problem, std::span<double> x, double& lambda);
 
   NewtonOptions options_;
@@ -58,6 +63,7 @@ class DampedNewton {
   int iterations_ = 0, refreshes_ = 0;
   bool fresh_ = false;            ///< the factors were made at the present x
   std::vector<double> dx_, g_;    // correction and residual at the present x
+  std::vector<double> step_;      // dx_, accelerated
   std::vector<double> trial_, trial_dx_, trial_g_;
 };
 

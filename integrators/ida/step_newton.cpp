@@ -98,11 +98,11 @@ Outcome StepNewton::solve(std::span<double> b) {
   return outcome;
 }
 
-double StepNewton::norm(std::span<const double> v) const {
+double StepNewton::product(std::span<const double> a, std::span<const double> b) const {
   const auto w = view(weights_);
   double sum = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * w[i] * v[i] * w[i];
-  return std::sqrt(sum / static_cast<double>(v.size()));
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * w[i] * b[i] * w[i];
+  return sum / static_cast<double>(a.size());
 }
 
 double StepNewton::drift() const {

@@ -29,7 +29,7 @@ class StepNewton final : private NewtonProblem {
   Outcome residual(std::span<const double> x, std::span<double> g) override;
   Outcome refresh(std::span<const double> x) override;
   Outcome solve(std::span<double> b) override;
-  [[nodiscard]] double norm(std::span<const double> v) const override;
+  [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const override;
   [[nodiscard]] double drift() const override;
 
   int solve_step(N_Vector correction, N_Vector weights, double tolerance);
