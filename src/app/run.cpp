@@ -94,6 +94,7 @@ int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder,
   try {
     finished = integrate(scene, integrator, simulation, recorder, interrupt, log);
   } catch (const core::IntegrationError&) {
+    summary.integrator(integrator.describe());
     record_last_state(integrator, recorder, log);
     throw;
   }

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "config/spelling.hpp"
+
 namespace talus::config {
 namespace {
 
@@ -134,7 +136,11 @@ std::optional<std::string> Key::complaint(const Value& value) const {
     const bool in_order = !ascending || std::ranges::adjacent_find(*list, std::greater_equal{}) == list->end();
     if (!in_order || !std::ranges::all_of(*list, fits)) return refused();
   }
-  if (type == Type::choice && std::ranges::find(words, std::get<std::string>(value)) == words.end()) return refused();
+  if (const auto* word = std::get_if<std::string>(&value); word != nullptr && type == Type::choice) {
+    if (std::ranges::find(words, *word) != words.end()) return std::nullopt;
+    const auto meant = nearest(*word, words);
+    return refused() + (meant ? " (did you mean " + *meant + "?)" : "");
+  }
   return std::nullopt;
 }
 

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "config/problems.hpp"
-#include "config/spelling.hpp"
 #include "core/errors.hpp"
 
 namespace talus::config {
@@ -121,7 +121,7 @@ class Reader {
       problems_.add("--set", name, "unknown key" + schema_.suggest_key(name));
       return;
     }
-    if (!overridden_.emplace(name, value).second) {
+    if (!overridden_.insert(name).second) {
       problems_.add("--set", name, "given twice");
       return;
     }
@@ -190,22 +190,18 @@ class Reader {
   void accept(const Key& key, const toml::node& node, const std::string& place) {
     refused_.erase(key.name);
     const auto value = convert(key, node);
-    std::string complaint;
     if (!value) {
-      complaint = "expected " + key.expectation() + ", found " + found_instead(key, node);
-    } else if (const auto found = key.complaint(*value)) {
-      complaint = *found;
-      if (key.type == Type::choice) {
-        const auto word = nearest(std::get<std::string>(*value), key.words);
-        if (word) complaint += " (did you mean " + *word + "?)";
-      }
-    }
-    if (complaint.empty()) {
-      values_.set(key.name, *value, place);
+      refuse(key, place, "expected " + key.expectation() + ", found " + found_instead(key, node));
+    } else if (const auto complaint = key.complaint(*value)) {
+      refuse(key, place, *complaint);
     } else {
-      problems_.add(place, key.name, complaint);
-      refused_.emplace(key.name, place);
+      values_.set(key.name, *value, place);
     }
+  }
+
+  void refuse(const Key& key, const std::string& place, const std::string& complaint) {
+    problems_.add(place, key.name, complaint);
+    refused_.insert(key.name);
   }
 
   void missing(const Key& key, const Section& section) {
@@ -227,8 +223,8 @@ class Reader {
   Values values_;
   Problems problems_;
   std::map<std::string, std::string> section_place_;
-  std::map<std::string, std::string> overridden_;
-  std::map<std::string, std::string> refused_;
+  std::set<std::string> overridden_;
+  std::set<std::string> refused_;
 };
 
 }  // namespace

@@ -74,6 +74,20 @@ TEST(RunFolder, FullDiskEndsTheRunWithASummary) {
   EXPECT_NE(summary["reason"].get<std::string>().find("disk full"), std::string::npos) << summary["reason"];
 }
 
+TEST(RunFolder, SolverThatGivesUpNamesTheWorstRowsAndLeavesASummary) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_into(folder / "out", {"--set", "integrator.rtol=1e-15", "--set", "integrator.atol_velocity=1e-18", "--set",
+                                "integrator.atol_height=1e-20"});
+  EXPECT_EQ(outcome.code, 6);
+  EXPECT_TRUE(says(outcome, "u at face 3, layer 0 of 32 (x = 0.015 m)")) << outcome.output;
+  const auto summary = summary_in(folder / "out");
+  EXPECT_EQ(summary["status"], "failed");
+  EXPECT_EQ(summary["exit_code"], 6);
+  EXPECT_NE(summary["reason"].get<std::string>().find("IDA_ERR_FAIL"), std::string::npos) << summary["reason"];
+  EXPECT_NE(summary["integrator"].get<std::string>().find("SUNDIALS IDA"), std::string::npos);
+}
+
 /// Starts a run that would take minutes and waits until it integrates.
 class LongRun : public testing::Test {
  protected:
