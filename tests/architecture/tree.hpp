@@ -88,8 +88,9 @@ class Tree {
 
  private:
   static bool is_ignored(const std::string& name, int depth) {
-    if (name == ".git" || name == ".cache" || name == "__pycache__" || name.ends_with(".o")) return true;
-    return depth == 0 && (name.starts_with("build") || name == "out" || name == "compile_commands.json");
+    if (name == ".git" || name == ".cache" || name == "__pycache__") return true;
+    return depth == 0 &&
+           (name.starts_with("build") || name == "out" || name.ends_with(".log") || name == "compile_commands.json");
   }
 
   void read_rooms() {
