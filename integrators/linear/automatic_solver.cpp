@@ -48,6 +48,7 @@ void AutomaticSolver::choose(std::span<const double> values) {
   std::ostringstream trials;
   trials.precision(2);
   double best = HUGE_VAL;
+  Index place = -1;  // of a singularity
   const auto offer = [&](const char* name, std::unique_ptr<CheckedSolver> solver, const auto& predict) {
     trials << (trials.str().empty() ? "" : ", ") << name;
     try {
@@ -62,6 +63,7 @@ void AutomaticSolver::choose(std::span<const double> values) {
       }
     } catch (const SingularMatrix& error) {
       trials << " no (" << error.what() << ')';
+      place = std::max(place, error.place());
     }
   };
 
@@ -93,7 +95,7 @@ void AutomaticSolver::choose(std::span<const double> values) {
     offer("condensed", std::move(condensed), [seconds](const Statistics&) { return seconds; });
   }
   trials_ = trials.str();
-  if (!chosen_) throw SingularMatrix("no direct solver gives usable factors: " + trials_, -1);
+  if (!chosen_) throw SingularMatrix("no direct solver gives usable factors: " + trials_, place);
 }
 
 const Statistics& AutomaticSolver::statistics() const {

@@ -58,9 +58,11 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
   if (max_fill > 0 && factors->symbolic->lnz + factors->symbolic->unz > static_cast<double>(max_fill)) return nullptr;
   {
     const MemoryLimit limit(bytes_an_entry * static_cast<std::size_t>(max_fill));
+    if (max_fill > 0) common.initmem = 1.0;  // KLU begins with room for this many times the entries of the matrix, unlimited
     factors->numeric = klu_l_factor(starts, rows, const_cast<double*>(values().data()), factors->symbolic, &common);
   }
   if (factors->numeric == nullptr || common.status != KLU_OK) return nullptr;
+  if (max_fill > 0 && factors->fill() > max_fill) return nullptr;
   klu_l_flops(factors->symbolic, factors->numeric, &common);
   return factors;
 }

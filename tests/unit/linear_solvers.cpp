@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "linear/banded_solver.hpp"
+#include "linear/condensed_solver.hpp"
+#include "linear/direct_solver.hpp"
+#include "linear/klu_solver.hpp"
+#include "linear/ordering.hpp"
+#include "linear/umfpack_solver.hpp"
+#include "unit/linear_matrices.hpp"
+
+namespace talus::test {
+namespace {
+
+using linear::Choice;
+
+/// Those that take any matrix. `condensed` is for column models with a good diagonal: it cuts the band in two blindly.
+constexpr Choice general[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::banded};
+constexpr Choice every_choice[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::banded, Choice::condensed};
+
+/// max |b - A x| over max (|A| |x| + |b|), each row divided by its largest entry: computed here, not by the solver.
+double relative_residual(const Matrix& m, const std::vector<double>& x, const std::vector<double>& b) {
+  std::vector<double> r(b), size(b.size()), scale(b.size(), 0.0);
+  for (std::size_t i = 0; i < b.size(); ++i) size[i] = std::abs(b[i]);
+  for (Index j = 0; j < m.pattern.n(); ++j) {
+    for (Index k = m.pattern.column_starts()[j]; k < m.pattern.column_starts()[j + 1]; ++k) {
+      const Index i = m.pattern.rows()[k];
+      r[i] -= m.values[k] * x[j];
+      size[i] += std::abs(m.values[k] * x[j]);
+      scale[i] = std::max(scale[i], std::abs(m.values[k]));
+    }
+  }
+  double error = 0.0, whole = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    error = std::max(error, std::abs(r[i]) / scale[i]);
+    whole = std::max(whole, size[i] / scale[i]);
+  }
+  return error / whole;
+}
+
+std::vector<double> right_side(const Matrix& m) {
+  Random random;
+  std::vector<double> b(m.pattern.n());
+  std::generate(b.begin(), b.end(), [&] { return random(); });
+  return b;
+}
+
+double solve_residual(linear::DirectSolver& solver, const Matrix& m) {
+  solver.factor(m.values);
+  const auto b = right_side(m);
+  auto x = b;
+  solver.solve(x);
+  return relative_residual(m, x, b);
+}
+
+TEST(LinearSolvers, SolveRandomMatrices) {
+  const Matrix m = random_matrix(401, 6);
+  for (const Choice choice : every_choice) {
+    const auto solver = linear::make_solver(m.pattern, {choice});
+    EXPECT_LT(solve_residual(*solver, m), 1e-10) << solver->describe();
+  }
+}
+
+TEST(LinearSolvers, SolveSaddlePointsOfManyScales) {
+  for (const double c_j : {1e-2, 1e2, 1e8}) {
+    const Matrix m = saddle_point(25, 8, c_j);
+    for (const Choice choice : general) {
+      const auto solver = linear::make_solver(m.pattern, {choice});
+      EXPECT_LT(solve_residual(*solver, m), 1e-10) << solver->describe() << " at c_j = " << c_j;
+    }
+  }
+}
+
+TEST(LinearSolvers, SolveColumnModelsOfManyScales) {
+  for (const double c_j : {1e-2, 1e2, 1e8}) {
+    for (const Index columns : {10, 80}) {
+      const Matrix m = saddle_point(columns, 6, c_j, ConstraintAt::w);
+      for (const Choice choice : every_choice) {
+        const auto solver = linear::make_solver(m.pattern, {choice});
+        EXPECT_LT(solve_residual(*solver, m), 1e-10) << solver->describe() << " at c_j = " << c_j;
+      }
+    }
+  }
+}
+
+TEST(LinearSolvers, FollowAMatrixWhoseValuesChange) {
+  const Matrix first = saddle_point(25, 8, 1e8, ConstraintAt::w), second = saddle_point(25, 8, 1e-2, ConstraintAt::w);
+  for (const Choice choice : every_choice) {
+    const auto solver = linear::make_solver(first.pattern, {choice});
+    EXPECT_LT(solve_residual(*solver, first), 1e-10);
+    EXPECT_LT(solve_residual(*solver, second), 1e-10) << solver->describe();
+    EXPECT_EQ(solver->statistics().factorisations, 2);
+    EXPECT_EQ(solver->statistics().solves, 2);
+  }
+}
+
+TEST(LinearSolvers, RecoverTheKnownSolutionOfASmallSystem) {
+  MatrixBuilder builder(3);
+  for (const auto& [i, j, v] : {std::tuple(0, 1, 2.0), {1, 0, 1.0}, {1, 2, 1.0}, {2, 1, 1.0}, {2, 2, 4.0}}) builder.add(i, j, v);
+  const Matrix m = builder.build();  // zero diagonal in rows 0 and 1
+  for (const Choice choice : general) {
+    const auto solver = linear::make_solver(m.pattern, {choice});
+    solver->factor(m.values);
+    std::vector<double> b = {4.0, 5.0, 14.0};
+    solver->solve(b);
+    EXPECT_NEAR(b[0], 2.0, 1e-14);
+    EXPECT_NEAR(b[1], 2.0, 1e-14);
+    EXPECT_NEAR(b[2], 3.0, 1e-14);
+  }
+}
+
+TEST(LinearSolvers, ReportASingularMatrix) {
+  Matrix m = saddle_point(6, 4, 1.0);
+  const auto column = m.pattern.column_starts();
+  for (Index k = column[9]; k < column[10]; ++k) m.values[k] = 0.0;
+  for (const Choice choice : general) {
+    EXPECT_THROW(linear::make_solver(m.pattern, {choice})->factor(m.values), linear::SingularMatrix) << static_cast<int>(choice);
+  }
+  linear::BandedSolver banded(m.pattern);
+  try {
+    banded.factor(m.values);
+    FAIL() << "a column of zeros was factored";
+  } catch (const linear::SingularMatrix& error) {
+    EXPECT_EQ(error.place(), 9);
+  }
+}
+
+TEST(LinearSolvers, RefuseZeroRowsAndEntriesThatAreNotFinite) {
+  for (const Choice choice : every_choice) {
+    Matrix m = saddle_point(6, 4, 1.0);
+    m.values[17] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(linear::make_solver(m.pattern, {choice})->factor(m.values), linear::SingularMatrix);
+    m = saddle_point(6, 4, 1.0);
+    for (std::size_t k = 0; k < m.values.size(); ++k)
+      if (m.pattern.rows()[k] == 5) m.values[k] = 0.0;
+    try {
+      linear::make_solver(m.pattern, {choice})->factor(m.values);
+      FAIL() << "a row of zeros was factored";
+    } catch (const linear::SingularMatrix& error) {
+      EXPECT_EQ(error.place(), 5);
+    }
+  }
+}
+
+TEST(LinearSolvers, RecoverAfterASingularMatrix) {
+  const Matrix good = saddle_point(6, 4, 1.0);
+  Matrix bad = good;
+  for (Index k = bad.pattern.column_starts()[9]; k < bad.pattern.column_starts()[10]; ++k) bad.values[k] = 0.0;
+  for (const Choice choice : general) {
+    const auto solver = linear::make_solver(good.pattern, {choice});
+    solver->factor(good.values);
+    EXPECT_THROW(solver->factor(bad.values), linear::SingularMatrix);
+    EXPECT_LT(solve_residual(*solver, good), 1e-10);
+  }
+}
+
+TEST(Klu, ReusesPivotsWhileTheyServeAndSearchesAnewWhenTheyDoNot) {
+  // 1 1/3 in the first column asks for the pivot in row 1; the next matrix makes that pivot 1e-14 of the other.
+  MatrixBuilder builder(2);
+  for (const auto& [i, j, v] : {std::tuple(0, 0, 0.01), {0, 1, 1.0}, {1, 0, 4.0}, {1, 1, 3.0}}) builder.add(i, j, v);
+  Matrix m = builder.build();
+  linear::KluSolver solver(m.pattern);
+  EXPECT_LT(solve_residual(solver, m), 1e-15);
+  m.values[m.pattern.find(1, 0)] = 5.0;
+  EXPECT_LT(solve_residual(solver, m), 1e-15);
+  EXPECT_EQ(solver.statistics().refactorisations, 1);
+  EXPECT_EQ(solver.statistics().rejected, 0);
+  m.values[m.pattern.find(0, 0)] = 1.0;
+  m.values[m.pattern.find(1, 0)] = 1e-17;
+  EXPECT_LT(solve_residual(solver, m), 1e-15);
+  EXPECT_EQ(solver.statistics().rejected, 1);
+}
+
+TEST(Klu, StopsACandidateThatFillsInTooMuch) {
+  const Matrix m = saddle_point(60, 16, 1e3);  // AMD, made for good diagonals, is hopeless here
+  linear::KluSolver solver(m.pattern);
+  EXPECT_LT(solve_residual(solver, m), 1e-10);
+  EXPECT_NE(solver.describe().find("ordering COLAMD"), std::string::npos) << solver.describe();
+  EXPECT_NE(solver.describe().find("AMD given up"), std::string::npos) << solver.describe();
+  linear::KluSolver bounded(m.pattern, {0.1, {}, solver.statistics().fill / 4});
+  EXPECT_THROW(bounded.factor(m.values), linear::SingularMatrix);
+}
+
+TEST(Umfpack, BothStrategiesAreSetAndNotGuessed) {
+  const Matrix m = saddle_point(20, 6, 10.0);
+  linear::UmfpackSolver symmetric(m.pattern, linear::UmfpackSolver::Strategy::symmetric);
+  linear::UmfpackSolver unsymmetric(m.pattern, linear::UmfpackSolver::Strategy::unsymmetric);
+  EXPECT_LT(solve_residual(symmetric, m), 1e-10);
+  EXPECT_LT(solve_residual(unsymmetric, m), 1e-10);
+  EXPECT_LT(unsymmetric.statistics().fill, symmetric.statistics().fill);
+}
+
+TEST(Condensed, SolvesForTheChainsAndGivesTheSameBitsAgain) {
+  const Matrix m = saddle_point(80, 6, 1e2, ConstraintAt::w);
+  linear::CondensedSolver solver(m.pattern);
+  EXPECT_EQ(solver.n_kept(), m.pattern.n() - 80 * 6);
+  auto first = right_side(m), again = first;
+  solver.factor(m.values);
+  solver.solve(first);
+  solver.factor(m.values);
+  solver.solve(again);
+  EXPECT_EQ(first, again);
+}
+
+TEST(Automatic, TakesTheSameSolverEachTimeAndSaysWhy) {
+  const Matrix m = saddle_point(60, 8, 1e3);
+  const auto one = linear::make_solver(m.pattern), other = linear::make_solver(m.pattern);
+  EXPECT_NE(one->describe().find("not chosen yet"), std::string::npos);
+  EXPECT_LT(solve_residual(*one, m), 1e-10);
+  EXPECT_LT(solve_residual(*other, m), 1e-10);
+  EXPECT_EQ(one->describe(), other->describe());
+  for (const char* name : {"UMFPACK", "predicted on the first matrix"}) {
+    EXPECT_NE(one->describe().find(name), std::string::npos) << one->describe();
+  }
+}
+
+TEST(Ordering, ReverseCuthillMcKeeFindsTheBandOfAShuffledOne) {
+  constexpr Index n = 200;
+  MatrixBuilder builder(n);
+  for (Index i = 0; i < n; ++i)  // a ring of n, scattered by a multiplication: 2 diagonals on either side are least
+    for (const Index j : {i, (i + 1) % n}) builder.add(77 * i % n, 77 * j % n, 1.0);
+  const Matrix m = builder.build();
+  const auto width = linear::bandwidth(m.pattern, linear::reverse_cuthill_mckee(m.pattern));
+  EXPECT_LE(width.lower, 2);
+  EXPECT_LE(width.upper, 2);
+  EXPECT_GT(linear::bandwidth(m.pattern, linear::natural_ordering(n)).lower, 70);
+}
+
+TEST(Ordering, MustNameEachUnknownOnce) {
+  const Matrix m = saddle_point(4, 3, 1.0);
+  auto ordering = linear::natural_ordering(m.pattern.n());
+  std::reverse(ordering.begin(), ordering.end());
+  for (const Choice choice : {Choice::automatic, Choice::klu, Choice::banded}) {
+    const auto solver = linear::make_solver(m.pattern, {choice, 0.1, ordering});
+    EXPECT_LT(solve_residual(*solver, m), 1e-10);
+  }
+  ordering[3] = ordering[4];
+  EXPECT_THROW((void)linear::make_solver(m.pattern, {Choice::klu, 0.1, ordering}), std::invalid_argument);
+  EXPECT_THROW((void)linear::make_solver(m.pattern, {Choice::klu, 0.1, {0, 1}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace talus::test
