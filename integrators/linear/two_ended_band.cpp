@@ -24,10 +24,10 @@ namespace {
 /// Below this many unknowns for each diagonal the separator costs more than the second thread saves.
 constexpr Index least_rows_per_diagonal = 12;
 
-/// Runs both; the second on a thread of its own where BLAS allows it. Rethrows the first's exception before the second's.
+/// Runs both, the second on a thread of its own if `in_threads`. Rethrows the first's exception before the second's.
 template <class First, class Second>
-void both(First&& first, Second&& second) {
-  if (!blas_allows_threads()) {
+void both(bool in_threads, First&& first, Second&& second) {
+  if (!in_threads) {
     first();
     second();
     return;
@@ -145,7 +145,8 @@ void TwoEndedBand::factor() {
     return;
   }
   std::vector<double> schur[2];
-  both([&] { factor_part(part_[0], schur[0]); }, [&] { factor_part(part_[1], schur[1]); });
+  both(
+      blas_allows_threads(), [&] { factor_part(part_[0], schur[0]); }, [&] { factor_part(part_[1], schur[1]); });
   for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = middle_[i] - schur[0][i] - schur[1][i];
   const int m = static_cast<int>(separator_);
   int info = 0;
@@ -197,7 +198,7 @@ void TwoEndedBand::solve(std::span<double> b) const {
     for (Index j = 0; j < w; ++j)
       for (Index i = 0; i < separator_; ++i) seen[s][i] += part.from[j * separator_ + i] * y[j];
   };
-  both([&] { descend(0); }, [&] { descend(1); });
+  both(true, [&] { descend(0); }, [&] { descend(1); });
   for (Index i = 0; i < separator_; ++i) middle[i] -= seen[0][i] + seen[1][i];
   const int m = static_cast<int>(separator_), one = 1;
   int info = 0;
@@ -212,7 +213,7 @@ void TwoEndedBand::solve(std::span<double> b) const {
     for (Index i = 0; i < w; ++i) side[s][first + i] -= pulled[i];
     backward(part, 0, side[s]);
   };
-  both([&] { ascend(0); }, [&] { ascend(1); });
+  both(true, [&] { ascend(0); }, [&] { ascend(1); });
   std::copy(right.begin(), right.end(), b.rbegin());
 }
 

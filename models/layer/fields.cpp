@@ -24,7 +24,7 @@ struct View {
   std::vector<double> H;
   std::optional<diagnostics::Face> face;
   diagnostics::Apex apex;
-  double sawtooth;
+  double roughness;
 
   [[nodiscard]] double read(Index index) const { return index < 0 ? 0.0 : snapshot.y[index]; }
   [[nodiscard]] double rate(Index index) const { return index < 0 ? 0.0 : snapshot.yp[index]; }
@@ -37,6 +37,14 @@ struct View {
     return sum * layer.columns().dx() * layer.parameters().grains.rho() * layer.parameters().box.gap;
   }
 };
+
+/// Largest second difference of H over the straight right face, as a share of the top layer's thickness there.
+double face_roughness(std::span<const double> H, std::span<const double> top, const std::optional<diagnostics::Face>& face) {
+  if (!face) return nothing;
+  double largest = 0.0;
+  for (int i = face->first + 1; i < face->last; ++i) largest = std::max(largest, std::abs(H[i - 1] - 2.0 * H[i] + H[i + 1]) / top[i]);
+  return largest;
+}
 
 View make_view(const Layer& layer, const core::Snapshot& snapshot) {
   View v{layer, snapshot, layer.context(snapshot.t, snapshot.y), {}, {}, {}, {0, nothing, nothing}, nothing};
@@ -51,7 +59,7 @@ View make_view(const Layer& layer, const core::Snapshot& snapshot) {
     const diagnostics::Surface surface{layer.columns().dx(), layer.parameters().box.tilt, v.H};
     v.apex = diagnostics::apex(surface);
     v.face = diagnostics::right_face(surface);
-    v.sawtooth = diagnostics::sawtooth(surface, top).share;
+    v.roughness = face_roughness(v.H, top, v.face);
   }
   return v;
 }
@@ -195,8 +203,8 @@ std::vector<Entry> numbers(double first_mass) {
           [to_degrees](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
       one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),
       one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
-      one("surface_roughness", "1", "largest second difference of H as a share of the top layer, off the apex and the film",
-          [](const View& v) { return v.sawtooth; })};
+      one("surface_roughness", "1", "largest second difference of H over the straight right face, as a share of the top layer",
+          [](const View& v) { return v.roughness; })};
 }
 
 std::vector<Entry> entries(const Layer& layer) {

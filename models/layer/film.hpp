@@ -31,14 +31,27 @@ S filminess(const Numerics& n, const S& H) {
       [] { return S(1.0); });
 }
 
+/// How much the thickness jumps between two columns: 0 where it changes by less than `jump_from` of itself, 1 beyond
+/// `jump_to`, C1 between.
+template <class S>
+S jump(const Numerics& n, const S& H_left, const S& H_right) {
+  const S change = 2.0 * (H_right - H_left) / (H_right + H_left);
+  const double from = n.jump_from * n.jump_from, to = n.jump_to * n.jump_to;
+  const S s = (change * change - from) / (to - from);
+  return core::select_above(
+      s, 0.0,
+      [&] { return core::select_above(s, 1.0, [] { return S(1.0); }, [&] { return S(s * s * (3.0 - 2.0 * s)); }); },
+      [] { return S(0.0); });
+}
+
 /// Volume flux of one layer through a face between two columns, per unit gap [m2/s]: u times the mean thickness in the heap;
-/// where either column is a film, the mobile part of the column that gives, so that no column gives more than it holds
-/// above Hs. u_+- = (u +- sqrt(u^2 + e^2))/2.
+/// where either column is a film, or the thickness jumps, the mobile part of the column that gives, so that no column gives
+/// more than it holds above Hs. u_+- = (u +- sqrt(u^2 + e^2))/2.
 template <class S>
 S face_flux(const Numerics& n, const S& u, const S& h_left, const S& h_right, const S& H_left, const S& H_right) {
   using std::sqrt;
   using core::sqrt;
-  const S bulk = (1.0 - filminess(n, H_left)) * (1.0 - filminess(n, H_right));
+  const S bulk = (1.0 - filminess(n, H_left)) * (1.0 - filminess(n, H_right)) * (1.0 - jump(n, H_left, H_right));
   const S root = sqrt(u * u + n.film_speed * n.film_speed);
   const S donor = 0.5 * ((u + root) * h_left * mobility(n, H_left) + (u - root) * h_right * mobility(n, H_right));
   return bulk * u * 0.5 * (h_left + h_right) + (1.0 - bulk) * donor;

@@ -50,6 +50,8 @@ struct Numerics {
   Advection advection = Advection::upwind;
   double film = 5e-4;          ///< Hs: the immobile part of a film on the base [m]
   double film_blend = 4.0;     ///< the donor flux of thin films fades out between 1 and this many film thicknesses above Hs [1]
+  double jump_from = 0.04;     ///< the donor flux also enters where the thickness changes by more than this share of itself
+  double jump_to = 0.12;       ///< between two columns (outlet, fronts), and is alone beyond this share [1]
   double film_speed = 1e-5;    ///< speed scale e of the smooth donor switch [m/s]
 };
 

@@ -85,6 +85,8 @@ layer::Numerics numerics_of(const Values& v) {
   return {.advection = words::meaning(words::advections, v.text("model.advection")),
           .film = v.number("model.film"),
           .film_blend = v.number("model.film_blend"),
+          .jump_from = v.number("model.jump_from"),
+          .jump_to = v.number("model.jump_to"),
           .film_speed = v.number("model.film_speed")};
 }
 

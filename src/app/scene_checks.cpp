@@ -29,6 +29,10 @@ class CrossChecks {
  public:
   CrossChecks(const Values& v, Problems& problems) : v_(v), problems_(problems) {}
 
+  void flux(const Scene& scene) {
+    if (!(scene.numerics.jump_to > scene.numerics.jump_from)) refuse("model.jump_to", "expected above model.jump_from");
+  }
+
   void viscosity(const Scene& scene) {
     const auto& reg = scene.regularisation;
     if (reg.cap == rheology::Cap::none && reg.rate_floor == 0.0 && reg.rate_speed == 0.0) {
@@ -91,6 +95,7 @@ class CrossChecks {
 void check_together(const Scene& scene, const Values& values, Problems& problems) {
   CrossChecks check(values, problems);
   check.name(scene.name);
+  check.flux(scene);
   check.viscosity(scene);
   check.inflow(scene);
   check.heights(scene);
