@@ -19,24 +19,19 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
   iterations_ = refreshes_ = 0;
   fresh_ = false;
   if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
-  Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem, g_, dx_, norm_);
+  Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem);
   if (status != Status::converged) return status;
-  step_ = dx_;
 
   double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
   while (true) {
     if (remaining(expected) * norm_ <= tolerance) {
       ++iterations_;
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx_[i];
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += step_[i];
       return Status::converged;
     }
     if (iterations_ >= options_.max_iterations) return Status::diverged;
-    const double before = norm_;
-    double lambda = 1.0;
-    status = advance(problem, x, lambda);
+    status = advance(problem, x, expected);
     if (status != Status::converged) return status;
-    expected = lambda == 1.0 ? norm_ / before : unknown;
-    contraction_ = expected;
     if (remaining(expected) * norm_ <= tolerance) continue;
     if (expected > options_.refresh_above && refreshes_ < options_.max_refreshes) {
       status = renew(problem, x);
@@ -52,9 +47,7 @@ DampedNewton::Status DampedNewton::renew(NewtonProblem& problem, std::span<const
   if (const auto outcome = problem.refresh(x); outcome != Outcome::ok) return failure(outcome);
   fresh_ = true;
   contraction_ = unknown;
-  const auto status = correct(problem, g_, dx_, norm_);
-  step_ = dx_;
-  return status;
+  return correct(problem);
 }
 
 /// From dx_ and the one before, `last`, which led to the step lambda step_: the next step. With a correction that changes in
@@ -65,6 +58,15 @@ void DampedNewton::accelerate(const NewtonProblem& problem, double lambda, std::
   const double size = problem.product(change, change);
   const double gamma = size > 0.0 ? problem.product(change, dx_) / size : 0.0;
   for (std::size_t i = 0; i < dx_.size(); ++i) step_[i] = dx_[i] - gamma * (lambda * step_[i] + change[i]);
+  accelerated_ = true;
+}
+
+/// dx_ = -J^-1 g_ and its norm, and the step that follows from it alone.
+DampedNewton::Status DampedNewton::correct(NewtonProblem& problem) {
+  const auto status = correct(problem, g_, dx_, norm_);
+  step_ = dx_;
+  accelerated_ = false;
+  return status;
 }
 
 /// dx = -J^-1 g and its norm.
@@ -76,8 +78,10 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<con
   return std::isfinite(norm) ? Status::converged : Status::diverged;
 }
 
-/// One accepted move x += lambda step_; on return dx_ and norm_ are the next correction, g_ the residual at the new x.
-DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<double> x, double& lambda) {
+/// One accepted move x += lambda step_; on return dx_, norm_ and step_ are the next correction and step, g_ the residual at the
+/// new x, and `contraction` is what the move achieved.
+DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<double> x, double& contraction) {
+  double lambda = 1.0;
   auto last = Status::diverged;
   for (int halvings = 0; halvings <= options_.max_halvings;) {
     ++iterations_;
@@ -89,6 +93,8 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
       const auto status = correct(problem, trial_g_, trial_dx_, norm);
       if (status == Status::broken) return status;
       if (status == Status::converged && norm <= (1.0 - 0.25 * lambda) * norm_) {
+        contraction = lambda == 1.0 ? norm / norm_ : unknown;
+        if (!accelerated_) contraction_ = contraction;
         std::copy(trial_.begin(), trial_.end(), x.begin());
         std::swap(g_, trial_g_);
         std::swap(dx_, trial_dx_);

@@ -53,15 +53,17 @@ class DampedNewton {
   static constexpr double least = 0.1;            ///< a contraction measured in an earlier solve is not trusted below this
 
   Status renew(NewtonProblem& problem, std::span<const double> x);
+  Status correct(NewtonProblem& problem);
   Status correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx, double& norm);
   void accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last);
-  Status advance(NewtonProblem& problem, std::span<double> x, double& lambda);
+  Status advance(NewtonProblem& problem, std::span<double> x, double& contraction);
 
   NewtonOptions options_;
-  double contraction_ = unknown;  ///< of the factors at hand
+  double contraction_ = unknown;  ///< of the factors at hand, without acceleration
   double norm_ = 0.0;             ///< of dx_
   int iterations_ = 0, refreshes_ = 0;
   bool fresh_ = false;            ///< the factors were made at the present x
+  bool accelerated_ = false;      ///< step_ is not dx_
   std::vector<double> dx_, g_;    // correction and residual at the present x
   std::vector<double> step_;      // dx_, accelerated
   std::vector<double> trial_, trial_dx_, trial_g_;

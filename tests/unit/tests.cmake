@@ -21,3 +21,6 @@ add_test(NAME plot COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/unit/plot
 set_tests_properties(plot PROPERTIES LABELS unit)
 talus_test(unit layering ROOMS grid)
 talus_test(unit linear_solvers ROOMS core linear)
+talus_test(unit ida_time ROOMS core linear ida)
+talus_test(unit ida_failures ROOMS core linear ida)
+talus_test(unit ida_newton ROOMS core linear ida)
