@@ -19,7 +19,7 @@ double slope_at(const Layer& layer, const Context& c, int i, int k) {
 CellState cell_state(const Layer& layer, const Context& c, std::span<const double> y, int i, int k) {
   const Parameters& par = layer.parameters();
   std::array<Index, CentreSlots::n_in> in{};
-  CentreSlots::connect(layer.unknowns(), i, k, layer.columns().n_layers, in);
+  CentreSlots::connect(layer.unknowns(), i, k, in);
   fv::Inputs<double, CentreSlots::n_in> inputs{};
   for (int j = 0; j < CentreSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
   const auto& v = inputs.y;

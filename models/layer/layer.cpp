@@ -81,7 +81,7 @@ Layer::Layer(Parameters parameters)
       layering_(parameters_.grid.layers, parameters_.grid.cluster_depth),
       unknowns_(columns_, !parameters_.box.left_open, budgets_of(parameters_)),
       layout_(make_layout(parameters_, columns_, unknowns_)) {
-  if (columns_.n_columns < 1 || columns_.n_layers < 3) throw std::invalid_argument("layer: needs a column and three layers");
+  if (columns_.n_columns < 1 || columns_.n_layers < 2) throw std::invalid_argument("layer: needs a column and two layers");
   context_.parameters = &parameters_;
   context_.columns = columns_;
   const std::size_t n_heights = std::size_t(columns_.n_columns) * (columns_.n_layers + 1);

@@ -110,7 +110,7 @@ void numerics(Schema& s) {
 
   s.section("grid", "cells");
   s.add(integer("columns", "along the base").at_least(1).at_most(20000));
-  s.add(integer("layers", "from the base to the surface").at_least(3).at_most(2000));
+  s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
   s.add(number("cluster_depth", "m",
                "layers are uniform where the heap is much thinner, clustered at the surface where much deeper")
             .above(0.0)

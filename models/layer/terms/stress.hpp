@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "layer/terms/kernel.hpp"
 
 namespace talus::layer {
@@ -117,10 +119,9 @@ struct CornerStress : Kernel, CornerSlots {
 struct CentreSlots {
   enum In { u_, omega_ = 6, p_ = 12, H_ = 13 };
   static constexpr int n_in = 18;
-  static void connect(const Unknowns& y, int i, int k, int n_layers, std::array<Index, n_in>& in) {
-    const bool top = k == n_layers - 1;  // above it there is nothing: its third slot holds the layer below the second
+  static void connect(const Unknowns& y, int i, int k, std::array<Index, n_in>& in) {
     for (int c = 0; c < 2; ++c)
-      for (int j = 0; j < 3; ++j) in[u_ + 3 * c + j] = y.u(i + c, top && j == 2 ? k - 2 : k - 1 + j);
+      for (int j = 0; j < 3; ++j) in[u_ + 3 * c + j] = y.u(i + c, k - 1 + j);
     for (int c = 0; c < 3; ++c) {
       in[omega_ + 2 * c] = y.omega(i - 1 + c, k);
       in[omega_ + 2 * c + 1] = y.omega(i - 1 + c, k + 1);
@@ -139,10 +140,9 @@ CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, doubl
   const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : S(0.5 * h);
   S u_z;
   if (k == n_layers - 1) {
-    const S h_below = g.h(2, k - 1);
-    const S shear = (u(1) - u(0)) / reach_down;
-    const S shear_below = (u(0) - u(2)) / (0.5 * (h_below + g.h(2, k - 2)));
-    u_z = shear + (shear - shear_below) * (0.5 * h / h_below);  // extrapolated up by half the top layer
+    // Under a free surface I varies slowly and p grows as the depth: shear grows as its square root, from the middle of the
+    // top layer to its foot by sqrt(2).
+    u_z = (u(1) - u(0)) / reach_down * std::numbers::sqrt2 * 0.5;
   } else {
     u_z = (u(2) - u(0)) / (reach_down + 0.5 * (h + g.h(2, k + 1)));
   }
@@ -162,7 +162,7 @@ struct CentreStress : Kernel, CentreSlots {
   [[nodiscard]] Index n_places() const { return n_cells(); }
   void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const int i = across(place), k = layer(place);
-    CentreSlots::connect(unknowns, i, k, columns.n_layers, in);
+    CentreSlots::connect(unknowns, i, k, in);
     out = {unknowns.momentum_u(i, k), unknowns.momentum_u(i + 1, k)};
   }
   template <class S>
