@@ -1,5 +1,6 @@
 #include "layer/cell_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "layer/terms/stress.hpp"
@@ -12,6 +13,33 @@ double read(std::span<const double> y, Index index) { return index < 0 ? 0.0 : y
 
 double slope_at(const Layer& layer, const Context& c, int i, int k) {
   return (c.z[c.at(i + 1, k)] - c.z[c.at(i - 1, k)]) / (2.0 * layer.columns().dx()) + layer.parameters().box.base_slope;
+}
+
+/// I at interface k < n_layers of face f, where the shear across layers is one compact difference.
+double corner_inertial_number(const Layer& layer, const Context& c, std::span<const double> y, int f, int k) {
+  std::array<Index, CornerSlots::n_in> in{};
+  CornerSlots::connect(layer.unknowns(), f, k, in);
+  fv::Inputs<double, CornerSlots::n_in> inputs{};
+  for (int j = 0; j < CornerSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
+  const Heights<double, CornerSlots::n_in> g(c, f - 2, inputs, CornerSlots::H_);
+  const auto strain = corner_strain(g, k, layer.columns().dx(), inputs.y);
+  const auto& reg = layer.parameters().regularisation;
+  const double floor = std::hypot(reg.rate_floor, reg.rate_speed / (0.5 * (g.H(1) + g.H(2))));
+  return rheology::inertial_number(layer.parameters().grains, reg,
+                                   strain.D_xx * strain.D_xx + strain.D_xz * strain.D_xz, floor,
+                                   corner_pressure(g, k, inputs.y));
+}
+
+/// I in the middle of cell (i, k): the mean of its corners'; in the top layer, on from the two interfaces below.
+double mean_inertial_number(const Layer& layer, const Context& c, std::span<const double> y, int i, int k) {
+  const auto at = [&](int interface) {
+    return 0.5 *
+           (corner_inertial_number(layer, c, y, i, interface) + corner_inertial_number(layer, c, y, i + 1, interface));
+  };
+  const double below = at(k);
+  if (k + 1 < layer.columns().n_layers) return 0.5 * (below + at(k + 1));
+  const double h = c.z[c.at(i, k + 1)] - c.z[c.at(i, k)], h_below = c.z[c.at(i, k)] - c.z[c.at(i, k - 1)];
+  return std::max(below + (below - at(k - 1)) * 0.5 * h / h_below, 0.0);
 }
 
 }  // namespace
@@ -34,7 +62,7 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   s.w = s.u * g.slope_centre(2, k) + 0.5 * (v[CentreSlots::omega_ + 2] + v[CentreSlots::omega_ + 3]);
   s.p = v[CentreSlots::p_];
   s.D_norm = std::sqrt(D_squared);
-  s.I = rheology::inertial_number(par.grains, reg, D_squared, floor, s.p);
+  s.I = mean_inertial_number(layer, c, y, i, k);
   const auto response = rheology::response(par.law, s.I);
   s.mu = response.mu;
   s.C = rheology::condition_C(response);
@@ -51,7 +79,9 @@ double vertical_velocity(const Layer& layer, const Context& c, std::span<const d
   if (k == 0) return 0.0;
   const auto& at = layer.unknowns();
   const int n = layer.columns().n_layers;
-  const auto u = [&](int layer_number) { return 0.5 * (read(y, at.u(i, layer_number)) + read(y, at.u(i + 1, layer_number))); };
+  const auto u = [&](int layer_number) {
+    return 0.5 * (read(y, at.u(i, layer_number)) + read(y, at.u(i + 1, layer_number)));
+  };
   const double u_here = k < n ? 0.5 * (u(k - 1) + u(k)) : u(n - 1);
   return read(y, at.omega(i, k)) + u_here * slope_at(layer, c, i, k);
 }

@@ -6,14 +6,15 @@
 
 namespace talus::layer {
 
-/// Everything pointwise in the middle of cell (i, k), from the same strain rate and viscosity as the equations.
+/// Everything pointwise in the middle of cell (i, k), from the same strain rates and viscosity as the equations; I, and mu, C
+/// and q with it, is the mean of the corners', where the shear is resolved best.
 struct CellState {
-  double u, w;         ///< [m/s]
-  double p;            ///< [Pa]
-  double D_norm;       ///< [1/s]
-  double I, mu, eta;   ///< [1], [1], [Pa s]; as regularised
-  bool capped;         ///< the viscosity cap takes away more than half
-  double C, q;         ///< (3.18) and mu - I mu'/2: well-posed where C <= 0, by linear theory where q < 1 too
+  double u, w;        ///< [m/s]
+  double p;           ///< [Pa]
+  double D_norm;      ///< [1/s]
+  double I, mu, eta;  ///< [1], [1], [Pa s]; as regularised
+  bool capped;        ///< the viscosity cap takes away more than half
+  double C, q;        ///< (3.18) and mu - I mu'/2: well-posed where C <= 0, by linear theory where q < 1 too
 };
 
 /// `context` must be that of `y`.

@@ -93,7 +93,8 @@ class Heights {
   }
   [[nodiscard]] S slope_centre(int c, int k) const { return wide(0.5 * (slope_at(c, k) + slope_at(c, k + 1))); }
   [[nodiscard]] S slope_face_rate(int c, int k) const {
-    return wide(0.25 * (slope_rate_at(c - 1, k) + slope_rate_at(c, k) + slope_rate_at(c - 1, k + 1) + slope_rate_at(c, k + 1)));
+    return wide(
+        0.25 * (slope_rate_at(c - 1, k) + slope_rate_at(c, k) + slope_rate_at(c - 1, k + 1) + slope_rate_at(c, k + 1)));
   }
 
  private:
@@ -107,7 +108,9 @@ class Heights {
     const auto a = c_.at(first_ + c, k);
     return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
   }
-  [[nodiscard]] G slope_at(int c, int k) const { return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope(); }
+  [[nodiscard]] G slope_at(int c, int k) const {
+    return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope();
+  }
   [[nodiscard]] G slope_rate_at(int c, int k) const { return (rate_at(c + 1, k) - rate_at(c - 1, k)) * (0.5 / dx_); }
 
   const Context& c_;

@@ -39,10 +39,12 @@ struct View {
 };
 
 /// Largest second difference of H over the straight right face, as a share of the top layer's thickness there.
-double face_roughness(std::span<const double> H, std::span<const double> top, const std::optional<diagnostics::Face>& face) {
+double face_roughness(std::span<const double> H, std::span<const double> top,
+                      const std::optional<diagnostics::Face>& face) {
   if (!face) return nothing;
   double largest = 0.0;
-  for (int i = face->first + 1; i < face->last; ++i) largest = std::max(largest, std::abs(H[i - 1] - 2.0 * H[i] + H[i + 1]) / top[i]);
+  for (int i = face->first + 1; i < face->last; ++i)
+    largest = std::max(largest, std::abs(H[i - 1] - 2.0 * H[i] + H[i + 1]) / top[i]);
   return largest;
 }
 
@@ -82,7 +84,8 @@ Fill over(bool faces, int rows_beyond_layers, bool flat, std::function<double(co
   };
 }
 Fill cells(double CellState::*member) {
-  return over(false, 0, false, [=](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].*member; });
+  return over(false, 0, false,
+              [=](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].*member; });
 }
 Fill number(std::function<double(const View&)> value) {
   return [=](const View& v, std::vector<double>& out) { out.assign(1, value(v)); };
@@ -90,24 +93,33 @@ Fill number(std::function<double(const View&)> value) {
 
 std::vector<Entry> coordinates() {
   const auto as_double = core::Storage::double_precision;
-  const std::map<std::string, std::string> sgrid{{"cf_role", "grid_topology"},
-                                                 {"topology_dimension", "2"},
-                                                 {"node_dimensions", "face interface"},
-                                                 {"face_dimensions", "column: face (padding: none) layer: interface (padding: none)"},
-                                                 {"edge1_dimensions", "face layer: interface (padding: none)"},
-                                                 {"edge2_dimensions", "interface column: face (padding: none)"},
-                                                 {"node_coordinates", "x_face z_node"},
-                                                 {"face_coordinates", "x z"}};
+  const std::map<std::string, std::string> sgrid{
+      {"cf_role", "grid_topology"},
+      {"topology_dimension", "2"},
+      {"node_dimensions", "face interface"},
+      {"face_dimensions", "column: face (padding: none) layer: interface (padding: none)"},
+      {"edge1_dimensions", "face layer: interface (padding: none)"},
+      {"edge2_dimensions", "interface column: face (padding: none)"},
+      {"node_coordinates", "x_face z_node"},
+      {"face_coordinates", "x z"}};
   return {
-      {{"grid", {}, "1", "staggered grid of columns and layers", as_double, true, sgrid}, number([](const View&) { return 0.0; })},
+      {{"grid", {}, "1", "staggered grid of columns and layers", as_double, true, sgrid},
+       number([](const View&) { return 0.0; })},
       {{"x", {"column"}, "m", "distance down the base to the middle of the column", as_double, true, {{"axis", "X"}}},
        over(false, 0, true, [](const View& v, int i, int) { return v.layer.columns().x_centre(i); })},
       {{"x_face", {"face"}, "m", "distance down the base to the face", as_double, true, {}},
        over(true, 0, true, [](const View& v, int i, int) { return v.layer.columns().x_face(i); })},
-      {{"z", {"layer", "column"}, "m", "height of the cell's middle, normal to the base", as_double, false, {{"axis", "Z"}, {"positive", "up"}}},
+      {{"z",
+        {"layer", "column"},
+        "m",
+        "height of the cell's middle, normal to the base",
+        as_double,
+        false,
+        {{"axis", "Z"}, {"positive", "up"}}},
        over(false, 0, false,
             [](const View& v, int i, int k) {
-              return 0.5 * (v.z(i, k) + v.z(i, k + 1)) + v.layer.parameters().box.base_slope * v.layer.columns().x_centre(i);
+              return 0.5 * (v.z(i, k) + v.z(i, k + 1)) +
+                     v.layer.parameters().box.base_slope * v.layer.columns().x_centre(i);
             })},
       {{"z_node", {"interface", "face"}, "m", "height of the cell's corner, normal to the base", as_double, false, {}},
        over(true, 1, false, [](const View& v, int f, int k) {
@@ -117,7 +129,12 @@ std::vector<Entry> coordinates() {
 
 std::vector<Entry> cell_fields() {
   const auto field = [](const char* name, const char* unit, const char* long_name, Fill fill) {
-    return Entry{{name, {"layer", "column"}, unit, long_name, core::Storage::single_precision, false,
+    return Entry{{name,
+                  {"layer", "column"},
+                  unit,
+                  long_name,
+                  core::Storage::single_precision,
+                  false,
                   {{"coordinates", "x z"}, {"grid", "grid"}, {"location", "face"}}},
                  std::move(fill)};
   };
@@ -136,31 +153,53 @@ std::vector<Entry> cell_fields() {
       field("friction", "1", "internal friction mu(I)", cells(&CellState::mu)),
       field("viscosity", "Pa s", "granular viscosity eta (3.17), as regularised", cells(&CellState::eta)),
       field("cap_active", "1", "1 where the viscosity cap takes away more than half",
-            over(false, 0, false, [](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].capped ? 1.0 : 0.0; })),
+            over(false, 0, false,
+                 [](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].capped ? 1.0 : 0.0; })),
       field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", cells(&CellState::C)),
-      field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1", cells(&CellState::q))};
+      field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
+            cells(&CellState::q))};
 }
 
 std::vector<Entry> native_fields() {
-  const auto native = [](const char* name, Dimensions dimensions, const char* long_name, const char* location, Fill fill) {
-    return Entry{{name, std::move(dimensions), "m s-1", long_name, core::Storage::single_precision, false,
+  const auto native = [](const char* name, Dimensions dimensions, const char* long_name, const char* location,
+                         Fill fill) {
+    return Entry{{name,
+                  std::move(dimensions),
+                  "m s-1",
+                  long_name,
+                  core::Storage::single_precision,
+                  false,
                   {{"grid", "grid"}, {"location", location}}},
                  std::move(fill)};
   };
-  return {native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
-                 over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.layer.unknowns().u(f, k)); })),
-          native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
-                 over(false, 1, false,
-                      [](const View& v, int i, int k) { return vertical_velocity(v.layer, v.context, v.snapshot.y, i, k); })),
-          native("omega", {"interface", "column"}, "volume flux through the interfaces of layers, w - u dz/dx", "edge2",
-                 over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.layer.unknowns().omega(i, k)); }))};
+  return {
+      native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
+             over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.layer.unknowns().u(f, k)); })),
+      native(
+          "w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
+          over(false, 1, false,
+               [](const View& v, int i, int k) { return vertical_velocity(v.layer, v.context, v.snapshot.y, i, k); })),
+      native(
+          "omega", {"interface", "column"}, "volume flux through the interfaces of layers, w - u dz/dx", "edge2",
+          over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.layer.unknowns().omega(i, k)); }))};
 }
 
 std::vector<Entry> lines() {
   const auto as_double = core::Storage::double_precision;
-  return {{{"height", {"column"}, "m", "thickness of the grains above the base, H", as_double, false, {{"coordinates", "x"}}},
+  return {{{"height",
+            {"column"},
+            "m",
+            "thickness of the grains above the base, H",
+            as_double,
+            false,
+            {{"coordinates", "x"}}},
            [](const View& v, std::vector<double>& out) { out = v.H; }},
-          {{"surface_speed", {"column"}, "m s-1", "speed of the grains in the uppermost layer", core::Storage::single_precision, false,
+          {{"surface_speed",
+            {"column"},
+            "m s-1",
+            "speed of the grains in the uppermost layer",
+            core::Storage::single_precision,
+            false,
             {{"coordinates", "x"}}},
            over(false, 0, true, [](const View& v, int i, int) {
              const auto& cell = v.cells[std::size_t(v.nz() - 1) * v.nx() + i];
@@ -175,42 +214,46 @@ double leaving(const View& v, double sign) {
 }
 
 std::vector<Entry> numbers(double first_mass) {
-  const auto one = [](const char* name, const char* unit, const char* long_name, std::function<double(const View&)> value) {
+  const auto one = [](const char* name, const char* unit, const char* long_name,
+                      std::function<double(const View&)> value) {
     return Entry{{name, {}, unit, long_name, core::Storage::double_precision, false, {}}, number(std::move(value))};
   };
   const auto mass = [](Index (Unknowns::*index)() const) {
     return [index](const View& v) { return v.read((v.layer.unknowns().*index)()); };
   };
   const double to_degrees = 180.0 / std::numbers::pi;
-  return {
-      one("mass_stored", "kg", "mass in the box, film included", [](const View& v) { return v.mass_stored(); }),
-      one("mass_inflow", "kg", "mass poured in since the start", mass(&Unknowns::mass_in)),
-      one("mass_outflow_left", "kg", "mass gone over the left end since the start", mass(&Unknowns::mass_left)),
-      one("mass_outflow_right", "kg", "mass gone over the right end since the start", mass(&Unknowns::mass_right)),
-      one("mass_error", "kg", "stored mass less what it was at the start, less inflow, plus outflow",
-          [first_mass](const View& v) {
-            const auto& at = v.layer.unknowns();
-            return v.mass_stored() - first_mass - v.read(at.mass_in()) + v.read(at.mass_left()) + v.read(at.mass_right());
-          }),
-      one("inflow_rate", "kg s-1", "mass poured in per second",
-          [](const View& v) {
-            const auto& inflow = v.layer.parameters().inflow;
-            return inflow.rate > 0.0 ? inflow.rate * jet_schedule(inflow, v.snapshot.t) : 0.0;
-          }),
-      one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second", [](const View& v) { return leaving(v, -1.0); }),
-      one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second", [](const View& v) { return leaving(v, 1.0); }),
-      one("heap_angle", "degree", "slope of the straight right face against the horizontal",
-          [to_degrees](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
-      one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),
-      one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
-      one("surface_roughness", "1", "largest second difference of H over the straight right face, as a share of the top layer",
-          [](const View& v) { return v.roughness; })};
+  return {one("mass_stored", "kg", "mass in the box, film included", [](const View& v) { return v.mass_stored(); }),
+          one("mass_inflow", "kg", "mass poured in since the start", mass(&Unknowns::mass_in)),
+          one("mass_outflow_left", "kg", "mass gone over the left end since the start", mass(&Unknowns::mass_left)),
+          one("mass_outflow_right", "kg", "mass gone over the right end since the start", mass(&Unknowns::mass_right)),
+          one("mass_error", "kg", "stored mass less what it was at the start, less inflow, plus outflow",
+              [first_mass](const View& v) {
+                const auto& at = v.layer.unknowns();
+                return v.mass_stored() - first_mass - v.read(at.mass_in()) + v.read(at.mass_left()) +
+                       v.read(at.mass_right());
+              }),
+          one("inflow_rate", "kg s-1", "mass poured in per second",
+              [](const View& v) {
+                const auto& inflow = v.layer.parameters().inflow;
+                return inflow.rate > 0.0 ? inflow.rate * jet_schedule(inflow, v.snapshot.t) : 0.0;
+              }),
+          one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second",
+              [](const View& v) { return leaving(v, -1.0); }),
+          one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second",
+              [](const View& v) { return leaving(v, 1.0); }),
+          one("heap_angle", "degree", "slope of the straight right face against the horizontal",
+              [to_degrees](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
+          one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),
+          one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
+          one("surface_roughness", "1",
+              "largest second difference of H over the straight right face, as a share of the top layer",
+              [](const View& v) { return v.roughness; })};
 }
 
 std::vector<Entry> entries(const Layer& layer) {
   std::vector<Entry> all;
-  const double first_mass = layer.parameters().initial.thickness * layer.parameters().box.length * layer.parameters().grains.rho() *
-                            layer.parameters().box.gap;
+  const double first_mass = layer.parameters().initial.thickness * layer.parameters().box.length *
+                            layer.parameters().grains.rho() * layer.parameters().box.gap;
   for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
     all.insert(all.end(), group.begin(), group.end());
   return all;

@@ -26,7 +26,8 @@ S filminess(const Numerics& n, const S& H) {
       H, n.film,
       [&] {
         const S s = (H - n.film) / (n.film * n.film_blend);
-        return core::select_above(s, 1.0, [] { return S(0.0); }, [&] { return S(1.0 - s * s * (3.0 - 2.0 * s)); });
+        return core::select_above(
+            s, 1.0, [] { return S(0.0); }, [&] { return S(1.0 - s * s * (3.0 - 2.0 * s)); });
       },
       [] { return S(1.0); });
 }
@@ -40,7 +41,10 @@ S jump(const Numerics& n, const S& H_left, const S& H_right) {
   const S s = (change * change - from) / (to - from);
   return core::select_above(
       s, 0.0,
-      [&] { return core::select_above(s, 1.0, [] { return S(1.0); }, [&] { return S(s * s * (3.0 - 2.0 * s)); }); },
+      [&] {
+        return core::select_above(
+            s, 1.0, [] { return S(1.0); }, [&] { return S(s * s * (3.0 - 2.0 * s)); });
+      },
       [] { return S(0.0); });
 }
 

@@ -81,7 +81,8 @@ Layer::Layer(Parameters parameters)
       layering_(parameters_.grid.layers, parameters_.grid.cluster_depth),
       unknowns_(columns_, !parameters_.box.left_open, budgets_of(parameters_)),
       layout_(make_layout(parameters_, columns_, unknowns_)) {
-  if (columns_.n_columns < 1 || columns_.n_layers < 2) throw std::invalid_argument("layer: needs a column and two layers");
+  if (columns_.n_columns < 1 || columns_.n_layers < 2)
+    throw std::invalid_argument("layer: needs a column and two layers");
   context_.parameters = &parameters_;
   context_.columns = columns_;
   const std::size_t n_heights = std::size_t(columns_.n_columns) * (columns_.n_layers + 1);
@@ -101,7 +102,8 @@ const Context& Layer::context(double t, std::span<const double> y) const {
     const double H = y[unknowns_.H(i)];
     if (!(H > 0.0) || !std::isfinite(H)) throw core::InadmissibleState(describe(unknowns_.H(i)) + " is not positive");
     const std::size_t a = context_.at(i, 0);
-    layering_.heights(H, {&context_.z[a], std::size_t(n)}, {&context_.dz[a], std::size_t(n)}, {&context_.d2z[a], std::size_t(n)});
+    layering_.heights(H, {&context_.z[a], std::size_t(n)}, {&context_.dz[a], std::size_t(n)},
+                      {&context_.d2z[a], std::size_t(n)});
   }
   return context_;
 }
@@ -144,8 +146,9 @@ std::string Layer::describe(core::Index row) const {
   const int k = i == columns_.n_columns ? in_column : in_column / 3;
   const double x = field == field_u ? columns_.x_face(i) : columns_.x_centre(i);
   if (field == field_H) return text("H of column %d (x = %.5g m)", i, x);
-  return text("%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(), field == field_u ? "face" : "column", i,
-              field == field_omega ? "interface" : "layer", field == field_omega ? k + 1 : k, columns_.n_layers, x);
+  return text("%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(),
+              field == field_u ? "face" : "column", i, field == field_omega ? "interface" : "layer",
+              field == field_omega ? k + 1 : k, columns_.n_layers, x);
 }
 
 std::vector<double> Layer::breakpoints() const {

@@ -102,7 +102,8 @@ void numerics(Schema& s) {
   s.add(number("film_blend", "1", "flux is taken from the giving column up to this many films above the film")
             .above(0.0)
             .fallback(4.0));
-  s.add(number("jump_from", "1", "flux is taken from the giving column where thickness changes by more than this share of itself")
+  s.add(number("jump_from", "1",
+               "flux is taken from the giving column where thickness changes by more than this share of itself")
             .above(0.0)
             .fallback(0.04));
   s.add(number("jump_to", "1", "and from it alone beyond this share; above jump_from").above(0.0).fallback(0.12));

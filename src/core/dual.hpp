@@ -39,8 +39,14 @@ struct Dual {
     for (int i = 0; i < N; ++i) slope[i] -= b.slope[i];
     return *this;
   }
-  Dual& operator+=(double b) { value += b; return *this; }
-  Dual& operator-=(double b) { value -= b; return *this; }
+  Dual& operator+=(double b) {
+    value += b;
+    return *this;
+  }
+  Dual& operator-=(double b) {
+    value -= b;
+    return *this;
+  }
   Dual& operator*=(double b) {
     value *= b;
     for (int i = 0; i < N; ++i) slope[i] *= b;

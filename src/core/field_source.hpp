@@ -18,7 +18,7 @@ struct Variable {
   std::string unit;                     ///< UDUNITS, "1" for none
   std::string long_name;
   Storage storage = Storage::single_precision;
-  bool fixed = false;                   ///< written once, without time
+  bool fixed = false;                               ///< written once, without time
   std::map<std::string, std::string> attributes{};  ///< further CF or SGRID attributes
 };
 

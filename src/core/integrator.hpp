@@ -9,9 +9,9 @@ namespace talus::core {
 
 /// What an observer sees after a step or at an output time. Spans are valid during the call only.
 struct Snapshot {
-  double t;                      ///< [s]
-  std::span<const double> y;     ///< shape n
-  std::span<const double> yp;    ///< shape n
+  double t;                    ///< [s]
+  std::span<const double> y;   ///< shape n
+  std::span<const double> yp;  ///< shape n
   const Statistics& statistics;
 };
 

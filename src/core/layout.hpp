@@ -12,10 +12,10 @@ enum class Kind : std::uint8_t { differential, algebraic };
 
 /// One physical field among the unknowns. Its equation rows carry the same numbers as its unknowns.
 struct Field {
-  std::string name;            ///< the symbol of the house, for example "u"
-  std::string unit;            ///< SI, for example "m s-1"
-  Kind kind;                   ///< differential unknowns enter the error test, algebraic ones do not
-  double absolute_tolerance;   ///< in `unit`, for the error test (differential) and Newton's convergence test (both)
+  std::string name;           ///< the symbol of the house, for example "u"
+  std::string unit;           ///< SI, for example "m s-1"
+  Kind kind;                  ///< differential unknowns enter the error test, algebraic ones do not
+  double absolute_tolerance;  ///< in `unit`, for the error test (differential) and Newton's convergence test (both)
 };
 
 /// What each unknown is: `field_of[row]` indexes `fields`.

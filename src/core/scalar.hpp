@@ -9,26 +9,38 @@ namespace talus::core {
 
 inline double value_of(double x) { return x; }
 template <int N>
-double value_of(const Dual<N>& x) { return x.value; }
+double value_of(const Dual<N>& x) {
+  return x.value;
+}
 /// A tracer has no value: any finite number does.
 template <int N>
-double value_of(const Trace<N>&) { return 1.0; }
+double value_of(const Trace<N>&) {
+  return 1.0;
+}
 
 /// `yes()` where x > threshold, else `no()`. Only the branch taken is evaluated; a Trace evaluates and unites both.
 template <class Yes, class No>
-double select_above(double x, double threshold, Yes&& yes, No&& no) { return x > threshold ? yes() : no(); }
+double select_above(double x, double threshold, Yes&& yes, No&& no) {
+  return x > threshold ? yes() : no();
+}
 template <int N, class Yes, class No>
 Dual<N> select_above(const Dual<N>& x, double threshold, Yes&& yes, No&& no) {
   return x.value > threshold ? Dual<N>(yes()) : Dual<N>(no());
 }
 template <int N, class Yes, class No>
-Trace<N> select_above(const Trace<N>& x, double, Yes&& yes, No&& no) { return x + Trace<N>(yes()) + Trace<N>(no()); }
+Trace<N> select_above(const Trace<N>& x, double, Yes&& yes, No&& no) {
+  return x + Trace<N>(yes()) + Trace<N>(no());
+}
 
 /// A smooth function of one scalar whose value and derivative were tabulated beforehand: f(x) = value, f'(x) = derivative.
 inline double lift(double value, double /*derivative*/, double /*x*/) { return value; }
 template <int N>
-Dual<N> lift(double value, double derivative, const Dual<N>& x) { return x.chain(value, derivative); }
+Dual<N> lift(double value, double derivative, const Dual<N>& x) {
+  return x.chain(value, derivative);
+}
 template <int N>
-Trace<N> lift(double, double, const Trace<N>& x) { return x; }
+Trace<N> lift(double, double, const Trace<N>& x) {
+  return x;
+}
 
 }  // namespace talus::core

@@ -7,7 +7,8 @@ namespace talus::core {
 
 SparsePattern::SparsePattern(Index n, std::vector<std::pair<Index, Index>> entries) : n_(n), column_start_(n + 1, 0) {
   for (const auto& [row, column] : entries)
-    if (row < 0 || row >= n || column < 0 || column >= n) throw std::out_of_range("SparsePattern: entry outside the matrix");
+    if (row < 0 || row >= n || column < 0 || column >= n)
+      throw std::out_of_range("SparsePattern: entry outside the matrix");
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return a.second != b.second ? a.second < b.second : a.first < b.first;
   });

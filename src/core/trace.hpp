@@ -35,16 +35,28 @@ struct Trace {
 };
 
 template <int N>
-Trace<N> sqrt(const Trace<N>& x) { return x; }
+Trace<N> sqrt(const Trace<N>& x) {
+  return x;
+}
 template <int N>
-Trace<N> exp(const Trace<N>& x) { return x; }
+Trace<N> exp(const Trace<N>& x) {
+  return x;
+}
 template <int N>
-Trace<N> log(const Trace<N>& x) { return x; }
+Trace<N> log(const Trace<N>& x) {
+  return x;
+}
 template <int N>
-Trace<N> tanh(const Trace<N>& x) { return x; }
+Trace<N> tanh(const Trace<N>& x) {
+  return x;
+}
 template <int N>
-Trace<N> erf(const Trace<N>& x) { return x; }
+Trace<N> erf(const Trace<N>& x) {
+  return x;
+}
 template <int N>
-Trace<N> pow(const Trace<N>& x, double) { return x; }
+Trace<N> pow(const Trace<N>& x, double) {
+  return x;
+}
 
 }  // namespace talus::core

@@ -30,7 +30,8 @@ class Operator {
 
   [[nodiscard]] const core::SparsePattern& pattern() const { return pattern_; }
 
-  void residual(const Context& context, std::span<const double> y, std::span<const double> yp, std::span<double> r) const {
+  void residual(const Context& context, std::span<const double> y, std::span<const double> yp,
+                std::span<double> r) const {
     std::fill(r.begin(), r.end(), 0.0);
     in_parts([&](Part part) {
       for (const auto& term : terms_) term->add_residual(context, part, y, yp, r);

@@ -111,8 +111,8 @@ class KernelTerm final : public Term<Context> {
     }
   }
 
-  void add_jacobian(const Context& context, Part part, std::span<const double> y, std::span<const double> yp, double c_j,
-                    std::span<double> values) const override {
+  void add_jacobian(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
+                    double c_j, std::span<double> values) const override {
     Inputs<Dual, n_in> inputs;
     std::array<Dual, n_out> out;
     for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {

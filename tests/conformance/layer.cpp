@@ -15,7 +15,8 @@ using tests::small;
 class EachExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachExample, JacobianEqualsCentralDifferencesColumnByColumn) {
-  for (const char* settings : {"rheology.cap=smooth", "rheology.p_0=5", "inflow.momentum=true", "inflow.along_gravity=false"}) {
+  for (const char* settings :
+       {"rheology.cap=smooth", "rheology.p_0=5", "inflow.momentum=true", "inflow.along_gravity=false"}) {
     const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5, {settings})));
     std::vector<double> y, yp;
     for (unsigned seed = 1; seed <= 2; ++seed) {
@@ -33,7 +34,8 @@ TEST_P(EachExample, JacobianAtRestAndCreeping) {
   for (const double speed : {0.0, 1e-3}) {
     tests::RandomState{speed}.fill(system, 3, y, yp);
     core::Index worst = -1;
-    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6) << speed << " m/s: " << system.describe(worst);
+    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6)
+        << speed << " m/s: " << system.describe(worst);
   }
 }
 
@@ -51,7 +53,8 @@ TEST_P(EachExample, NoRowAndNoColumnIsEmpty) {
 TEST_P(EachExample, EveryRowIsDescribedOnceAndHasAUnit) {
   const layer::Layer system(app::make_layer_parameters(small(GetParam(), 4, 3)));
   std::set<std::string> words;
-  for (core::Index i = 0; i < system.layout().size(); ++i) EXPECT_TRUE(words.insert(system.describe(i)).second) << system.describe(i);
+  for (core::Index i = 0; i < system.layout().size(); ++i)
+    EXPECT_TRUE(words.insert(system.describe(i)).second) << system.describe(i);
   for (const auto& field : system.layout().fields) EXPECT_FALSE(field.unit.empty()) << field.name;
 }
 
@@ -110,7 +113,8 @@ TEST(Layer, UniformFlowStaysUniformOnAMovingGrid) {
     }
   system.residual(0.0, y, yp, r);
   const double inertia = par.grains.rho() * U * U;  // [Pa], the size of the terms that must cancel
-  for (core::Index i = 0; i < system.layout().size(); ++i) EXPECT_LT(std::abs(r[i]), 1e-13 * inertia) << system.describe(i);
+  for (core::Index i = 0; i < system.layout().size(); ++i)
+    EXPECT_LT(std::abs(r[i]), 1e-13 * inertia) << system.describe(i);
 }
 
 TEST(Layer, LevelSurfaceOverATiltedBaseIsAtRestToRoundOff) {
@@ -142,7 +146,8 @@ TEST(Layer, ARunStartedFromACheckpointEqualsTheOneThatWroteItBitByBit) {
   first.start(0.0, y, yp);
   first.advance(0.8, nobody);
   const auto checkpoint = first.current();
-  const std::vector<double> saved(checkpoint.y.begin(), checkpoint.y.end()), saved_rate(checkpoint.yp.begin(), checkpoint.yp.end());
+  const std::vector<double> saved(checkpoint.y.begin(), checkpoint.y.end()),
+      saved_rate(checkpoint.yp.begin(), checkpoint.yp.end());
   first.restart();
   first.advance(1.2, nobody);
   second.start(0.8, saved, saved_rate);

@@ -15,8 +15,10 @@ inline std::filesystem::path example(const std::string& name) {
 /// Every example scene of the layer model.
 inline std::vector<std::string> layer_examples() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TALUS_SOURCE_DIR) / "runs" / "examples"))
-    if (entry.path().extension() == ".toml" && app::read_scene(entry.path()).model == "layer") names.push_back(entry.path().stem());
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(TALUS_SOURCE_DIR) / "runs" / "examples"))
+    if (entry.path().extension() == ".toml" && app::read_scene(entry.path()).model == "layer")
+      names.push_back(entry.path().stem());
   return names;
 }
 

@@ -35,8 +35,8 @@ struct RandomState {
 /// Largest difference of a column of the Jacobian from central differences of the residual, relative to the largest
 /// entry of the column; over all columns. `worst` receives the column. The step is a share of the unknown's own size,
 /// and the rate moves with it, so that the sum dF/dy + c_j dF/dy' is differenced as one.
-inline double jacobian_error(const core::DaeSystem& system, double t, std::vector<double> y, std::vector<double> yp, double c_j,
-                             core::Index& worst) {
+inline double jacobian_error(const core::DaeSystem& system, double t, std::vector<double> y, std::vector<double> yp,
+                             double c_j, core::Index& worst) {
   const auto n = static_cast<std::size_t>(system.layout().size());
   const auto& pattern = system.pattern();
   std::vector<double> values(pattern.n_nonzeros()), plus(n), minus(n), column(n);

@@ -13,7 +13,7 @@
 #include "steady/uniform_flow.hpp"
 #include "support/layer_scene.hpp"
 
-/// The grown heap at 150 s against the exact steady flow down its face: slope, speed and inertial number. The exact flow is
+/// The grown heap, when its inflow ends, against the exact steady flow down its face: slope, speed and inertial number. The exact flow is
 /// that of the flux which really passes there, with the same regularisations.
 namespace {
 
@@ -24,7 +24,7 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 struct Face {
   double slope, slope_of_flow, slope_of_inflow;  ///< [degree]: found; exact for what passes and for Q, regularised
   double speed_error, inertial_error;            ///< relative L2 over the column in the middle of the face
-  double roughness;                              ///< largest second difference of H over the face, as a share of the top layer
+  double roughness;  ///< largest second difference of H over the face, as a share of the top layer
 };
 
 Face grow(const std::string& example, int columns, int layers) {
@@ -36,7 +36,7 @@ Face grow(const std::string& example, int columns, int layers) {
   system.initial_state(0.0, y, yp);
   ida::Ida integrator(system, app::make_integrator_options(scene));
   integrator.start(0.0, y, yp);
-  integrator.advance(150.0, nobody);
+  integrator.advance(par.inflow.stop, nobody);
   const auto now = integrator.current();
 
   std::vector<double> H;

@@ -16,15 +16,16 @@ namespace {
 using namespace talus;
 
 struct Steady {
-  double flux;            ///< [kg/s]
-  double surface_speed;   ///< [m/s], in the middle of the top layer
-  double profile_error;   ///< L2 over the depth, relative
+  double flux;           ///< [kg/s]
+  double surface_speed;  ///< [m/s], in the middle of the top layer
+  double profile_error;  ///< L2 over the depth, relative
 };
 
 constexpr double zeta = 45.0 * M_PI / 180.0, thickness = 0.012;
 
 steady::RegularisedLayer reference_layer(const layer::Parameters& par) {
-  return {{par.grains, par.law, par.box.gap, par.wall.mu_w, par.box.gravity}, par.regularisation, par.wall.u_c, thickness};
+  return {
+      {par.grains, par.law, par.box.gap, par.wall.mu_w, par.box.gravity}, par.regularisation, par.wall.u_c, thickness};
 }
 
 const steady::RegularisedProfile& reference(const layer::Parameters& par) {
@@ -34,8 +35,9 @@ const steady::RegularisedProfile& reference(const layer::Parameters& par) {
 
 /// `tilt` [rad] between the columns and the normal of the layer.
 Steady run(int layers, double tilt) {
-  auto scene = tests::small("chute_periodic", 4, layers, {"wall.u_c=1e-4", "rheology.p_0=0", "rheology.eta_max=1e6",
-                                                          "integrator.linear_solver=klu"});
+  auto scene =
+      tests::small("chute_periodic", 4, layers,
+                   {"wall.u_c=1e-4", "rheology.p_0=0", "rheology.eta_max=1e6", "integrator.linear_solver=klu"});
   auto par = app::make_layer_parameters(scene);
   par.box.tilt = zeta - tilt;
   par.box.base_slope = -std::tan(tilt);
@@ -92,8 +94,8 @@ TEST(UniformLayer, TiltAgainstTheGridChangesNothing) {
   const auto aligned = run(16, 0.0);
   for (const double degrees : {20.0, -50.0}) {
     const auto tilted = run(16, degrees * M_PI / 180.0);
-    std::printf("tilt %5.1f degrees: flux differs by %.2e, surface speed by %.2e\n", degrees, tilted.flux / aligned.flux - 1.0,
-                tilted.surface_speed / aligned.surface_speed - 1.0);
+    std::printf("tilt %5.1f degrees: flux differs by %.2e, surface speed by %.2e\n", degrees,
+                tilted.flux / aligned.flux - 1.0, tilted.surface_speed / aligned.surface_speed - 1.0);
     EXPECT_NEAR(tilted.flux, aligned.flux, 1e-6 * aligned.flux);
     EXPECT_NEAR(tilted.surface_speed, aligned.surface_speed, 1e-6 * aligned.surface_speed);
     EXPECT_NEAR(tilted.profile_error, aligned.profile_error, 1e-6);

@@ -21,8 +21,8 @@ struct FaceFlux : Kernel {
     in = {unknowns.u(f, k), unknowns.H(f - 1), unknowns.H(f)};
     const bool left = columns.has_column(f - 1) && in[u_] >= 0, right = columns.has_column(f) && in[u_] >= 0;
     out = {left ? unknowns.continuity(f - 1, k) : -1, right ? unknowns.continuity(f, k) : -1,
-           left ? unknowns.surface(f - 1) : -1, right ? unknowns.surface(f) : -1,
-           left_end(f) ? unknowns.mass_left() : -1, right_end(f) ? unknowns.mass_right() : -1};
+           left ? unknowns.surface(f - 1) : -1,       right ? unknowns.surface(f) : -1,
+           left_end(f) ? unknowns.mass_left() : -1,   right_end(f) ? unknowns.mass_right() : -1};
   }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {

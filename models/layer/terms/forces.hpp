@@ -9,8 +9,10 @@ namespace talus::layer {
 /// tanh(sqrt(x)/u_c)/sqrt(x) for x = |u|^2 >= 0: the factor that turns u into the direction of wall friction. Smooth at rest.
 template <class S>
 S friction_direction(const S& speed_squared, double u_c) {
-  using std::sqrt; using std::tanh;
-  using core::sqrt; using core::tanh;
+  using std::sqrt;
+  using std::tanh;
+  using core::sqrt;
+  using core::tanh;
   const S s = speed_squared / (u_c * u_c);
   return core::select_above(
       s, 1e-6,
@@ -30,8 +32,12 @@ struct WallFriction : Kernel {
   void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const int f = across(place), k = layer(place);
     const auto& y = unknowns;
-    in = {y.u(f, k), y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1), y.p(f - 1, k),
-          y.p(f, k), y.H(f - 2),        y.H(f - 1),    y.H(f),                y.H(f + 1)};
+    in = {y.u(f, k),         y.omega(f - 1, k),
+          y.omega(f, k),     y.omega(f - 1, k + 1),
+          y.omega(f, k + 1), y.p(f - 1, k),
+          y.p(f, k),         y.H(f - 2),
+          y.H(f - 1),        y.H(f),
+          y.H(f + 1)};
     connect_momentum(y, f, k, out, 0);
   }
   template <class S>
@@ -68,7 +74,7 @@ struct PressureAlong : Kernel {
     const Box& box = c.parameters->box;
     const double rho = c.parameters->grains.rho();
     const Heights<S, n_in> g(c, f - 1, in, H_);
-        const S weight = (rho * box.gravity * width(f)) * (std::sin(box.tilt) - std::cos(box.tilt) * g.rise(1, k));
+    const S weight = (rho * box.gravity * width(f)) * (std::sin(box.tilt) - std::cos(box.tilt) * g.rise(1, k));
     out[0] += g.h_face(1, k) * ((in.y[p_ + 1] - in.y[p_]) / columns.dx() - weight);
   }
 };

@@ -27,8 +27,8 @@ struct Acceleration : Kernel {
   void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const int f = across(place), k = layer(place);
     const auto& y = unknowns;
-    in = {y.u(f, k),     y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1), y.H(f - 2),
-          y.H(f - 1), y.H(f),            y.H(f + 1)};
+    in = {y.u(f, k), y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1), y.H(f - 2), y.H(f - 1),
+          y.H(f),    y.H(f + 1)};
     connect_momentum(y, f, k, out, 0);
   }
   template <class S>
@@ -145,8 +145,8 @@ struct JetMomentum : Kernel {
   void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const int f = static_cast<int>(place), k = columns.n_layers - 1;
     const auto& y = unknowns;
-    in = {y.u(f, k),  y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1),
-          y.H(f - 2), y.H(f - 1),        y.H(f),        y.H(f + 1)};
+    in = {y.u(f, k), y.omega(f - 1, k), y.omega(f, k), y.omega(f - 1, k + 1), y.omega(f, k + 1), y.H(f - 2), y.H(f - 1),
+          y.H(f),    y.H(f + 1)};
     connect_momentum(y, f, k, out, 0);
   }
   template <class S>
@@ -157,8 +157,10 @@ struct JetMomentum : Kernel {
     const int f = static_cast<int>(place), k = columns.n_layers - 1;
     if (!columns.has_column(f - 1) || !columns.has_column(f)) return;
     const Heights<S, n_in> g(c, f - 2, in, H_);
-    const S q = 0.5 * (jet_rate(par, columns, columns.column(f - 1), S(0.5 * (g.H(0) + g.H(1))), S(0.5 * (g.H(1) + g.H(2))), c.t) +
-                       jet_rate(par, columns, columns.column(f), S(0.5 * (g.H(1) + g.H(2))), S(0.5 * (g.H(2) + g.H(3))), c.t));
+    const S q =
+        0.5 *
+        (jet_rate(par, columns, columns.column(f - 1), S(0.5 * (g.H(0) + g.H(1))), S(0.5 * (g.H(1) + g.H(2))), c.t) +
+         jet_rate(par, columns, columns.column(f), S(0.5 * (g.H(1) + g.H(2))), S(0.5 * (g.H(2) + g.H(3))), c.t));
     const double lean = par.inflow.along_gravity ? par.box.tilt : 0.0;
     const S fall = core::select_above(
         S(par.box.height - 0.5 * (g.H(1) + g.H(2))), 0.0, [&] { return S(par.box.height - 0.5 * (g.H(1) + g.H(2))); },

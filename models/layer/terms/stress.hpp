@@ -135,7 +135,9 @@ template <class S, int N>
 CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, double dx,
                               const std::array<S, CentreSlots::n_in>& y) {
   const auto u = [&](int j) { return S(0.5 * (y[j] + y[3 + j])); };
-  const auto omega_mean = [&](int c) { return S(0.5 * (y[CentreSlots::omega_ + 2 * c] + y[CentreSlots::omega_ + 2 * c + 1])); };
+  const auto omega_mean = [&](int c) {
+    return S(0.5 * (y[CentreSlots::omega_ + 2 * c] + y[CentreSlots::omega_ + 2 * c + 1]));
+  };
   const S h = g.h(2, k);
   const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : S(0.5 * h);
   S u_z;
