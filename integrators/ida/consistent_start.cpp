@@ -8,14 +8,21 @@
 namespace talus::ida {
 namespace {
 
-/// One implicit Euler step of size `step` from y0 to time t. Its unknown x is the change of y against the guess; for differential
-/// unknowns y = y0 + step y', so y' is resolved beyond the rounding of y.
+/// One implicit Euler step of size `step` from y0 to time t. Its unknown x is the change of y against the guess; for
+/// differential unknowns y = y0 + step y', so y' is resolved beyond the rounding of y.
 class EulerStep final : public NewtonProblem {
  public:
   /// y_0 and yp_guess are kept by reference.
-  EulerStep(Equations& equations, double rtol, double t, double step, std::span<const double> y_0, std::span<const double> guess,
-            std::span<const double> yp_guess)
-      : equations_(equations), t_(t), step_(step), y_0_(y_0), guess_(guess), yp_guess_(yp_guess), y_(y_0.size()), yp_(y_0.size()) {
+  EulerStep(Equations& equations, double rtol, double t, double step, std::span<const double> y_0,
+            std::span<const double> guess, std::span<const double> yp_guess)
+      : equations_(equations),
+        t_(t),
+        step_(step),
+        y_0_(y_0),
+        guess_(guess),
+        yp_guess_(yp_guess),
+        y_(y_0.size()),
+        yp_(y_0.size()) {
     const auto& layout = equations.system().layout();
     weights_.resize(y_0.size());
     for (std::size_t i = 0; i < weights_.size(); ++i) {
@@ -40,6 +47,10 @@ class EulerStep final : public NewtonProblem {
   }
   [[nodiscard]] double drift() const override { return equations_.c_j() == 1.0 / step_ ? 0.0 : HUGE_VAL; }
 
+  void weigh(std::span<double> v) const {
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] *= weights_[i];
+  }
+
   /// y and y' at x; y' of algebraic unknowns is zero.
   void set(std::span<const double> x) {
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -54,7 +65,8 @@ class EulerStep final : public NewtonProblem {
   }
 
  private:
-  /// y' = change / step matters over times much longer than `step`: a change of a differential unknown counts this much more.
+  /// y' = change / step matters over times much longer than `step`: a change of a differential unknown counts this much
+  /// more.
   static constexpr double rate_emphasis = 1e5;
 
   Equations& equations_;
@@ -65,17 +77,21 @@ class EulerStep final : public NewtonProblem {
 
 }  // namespace
 
-Outcome make_consistent(Equations& equations, const Options& options, double t, std::span<double> y, std::span<double> yp) {
+Outcome make_consistent(Equations& equations, const Options& options, double t, std::span<double> y,
+                        std::span<double> yp, std::vector<double>& last_correction) {
   using Status = DampedNewton::Status;
   NewtonOptions how = options.newton;
   how.max_refreshes = 20;
-  const auto solve = [&how](EulerStep& step, std::size_t n) {
+  const auto solve = [&](EulerStep& step, std::size_t n) {
     DampedNewton newton(how);
     std::vector<double> x(n, 0.0);
     Status status = newton.solve(step, x, 1e-3);
-    // The iteration may stall on rounding (of the constraints, magnified in y') after it has got as far as the error test cares.
+    // The iteration may stall on rounding (of the constraints, magnified in y') after it has got as far as the error
+    // test cares.
     if (status == Status::diverged && newton.correction_norm() < 1.0) status = Status::converged;
     if (status == Status::converged) step.set(x);
+    last_correction.assign(newton.correction().begin(), newton.correction().end());
+    step.weigh(last_correction);
     return status;
   };
 

@@ -50,8 +50,9 @@ DampedNewton::Status DampedNewton::renew(NewtonProblem& problem, std::span<const
   return correct(problem);
 }
 
-/// From dx_ and the one before, `last`, which led to the step lambda step_: the next step. With a correction that changes in
-/// proportion to x along the step, dx - gamma (lambda step + dx - last) leaves the smallest correction behind.
+/// From dx_ and the one before, `last`, which led to the step lambda step_: the next step. With a correction that
+/// changes in proportion to x along the step, dx - gamma (lambda step + dx - last) leaves the smallest correction
+/// behind.
 void DampedNewton::accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last) {
   auto& change = trial_;
   for (std::size_t i = 0; i < dx_.size(); ++i) change[i] = dx_[i] - last[i];
@@ -78,8 +79,8 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<con
   return std::isfinite(norm) ? Status::converged : Status::diverged;
 }
 
-/// One accepted move x += lambda step_; on return dx_, norm_ and step_ are the next correction and step, g_ the residual at the
-/// new x, and `contraction` is what the move achieved.
+/// One accepted move x += lambda step_; on return dx_, norm_ and step_ are the next correction and step, g_ the
+/// residual at the new x, and `contraction` is what the move achieved.
 DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<double> x, double& contraction) {
   double lambda = 1.0;
   auto last = Status::diverged;

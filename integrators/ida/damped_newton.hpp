@@ -19,19 +19,21 @@ class NewtonProblem {
   virtual Outcome solve(std::span<double> b) = 0;
   /// The weighted inner product of which the norm is the root.
   [[nodiscard]] virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
-  /// Contraction to expect from what changed, apart from x, since the factors were made; 1 or more: useless or none at hand.
+  /// Contraction to expect from what changed, apart from x, since the factors were made; 1 or more: useless or none at
+  /// hand.
   [[nodiscard]] virtual double drift() const = 0;
 };
 
-/// Newton's method with a Jacobian that is kept while it contracts, a secant acceleration, and a natural monotonicity test.
+/// Newton's method with a Jacobian that is kept while it contracts, a secant acceleration, and a natural monotonicity
+/// test.
 ///
-/// With the correction dx = -J^-1 G(x) and what the last one became, dx - dx_last over the step x - x_last, the secant estimate of
-/// the remaining error along that direction makes the step s (Anderson's acceleration of depth one). The trial x + lambda s is
-/// accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is renewed, then lambda is halved.
-/// A contraction above `refresh_above` renews J at the new x. The iteration ends when contraction/(1 - contraction) times the last
-/// correction is below the tolerance.
-/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3; H. F. Walker and P. Ni, SIAM J. Numer.
-/// Anal. 49, 2011.)
+/// With the correction dx = -J^-1 G(x) and what the last one became, dx - dx_last over the step x - x_last, the secant
+/// estimate of the remaining error along that direction makes the step s (Anderson's acceleration of depth one). The
+/// trial x + lambda s is accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is
+/// renewed, then lambda is halved. A contraction above `refresh_above` renews J at the new x. The iteration ends when
+/// contraction/(1 - contraction) times the last correction is below the tolerance.
+/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3; H. F. Walker and P. Ni, SIAM J.
+/// Numer. Anal. 49, 2011.)
 class DampedNewton {
  public:
   enum class Status { converged, diverged, refused, broken };
@@ -49,8 +51,10 @@ class DampedNewton {
   void forget() { contraction_ = unknown; }
 
  private:
-  static constexpr double unknown = 20.0 / 21.0;  ///< assumed before a contraction is measured: error 20 times the correction
-  static constexpr double least = 0.1;            ///< a contraction measured in an earlier solve is not trusted below this
+  /// Assumed before a contraction is measured: the error is 20 times the correction.
+  static constexpr double unknown = 20.0 / 21.0;
+  /// A contraction measured in an earlier solve is not trusted below this.
+  static constexpr double least = 0.1;
 
   Status renew(NewtonProblem& problem, std::span<const double> x);
   Status correct(NewtonProblem& problem);
@@ -62,10 +66,10 @@ class DampedNewton {
   double contraction_ = unknown;  ///< of the factors at hand, without acceleration
   double norm_ = 0.0;             ///< of dx_
   int iterations_ = 0, refreshes_ = 0;
-  bool fresh_ = false;            ///< the factors were made at the present x
-  bool accelerated_ = false;      ///< step_ is not dx_
-  std::vector<double> dx_, g_;    // correction and residual at the present x
-  std::vector<double> step_;      // dx_, accelerated
+  bool fresh_ = false;          ///< the factors were made at the present x
+  bool accelerated_ = false;    ///< step_ is not dx_
+  std::vector<double> dx_, g_;  // correction and residual at the present x
+  std::vector<double> step_;    // dx_, accelerated
   std::vector<double> trial_, trial_dx_, trial_g_;
 };
 

@@ -31,15 +31,14 @@ Equations::Equations(const core::DaeSystem& system, const linear::Settings& sett
       solver_(linear::make_solver(system.pattern(), settings)),
       values_(system.pattern().n_nonzeros()) {}
 
-Outcome Equations::residual(double t, std::span<const double> y, std::span<const double> yp, std::span<double> r) noexcept {
+Outcome Equations::residual(double t, std::span<const double> y, std::span<const double> yp,
+                            std::span<double> r) noexcept {
   const Timer timer(statistics_.seconds_residual);
   ++statistics_.residuals;
   try {
     try {
       system_.residual(t, y, yp, r);
-    } catch (const core::InadmissibleState& state) {
-      return refuse(t, state.what());
-    }
+    } catch (const core::InadmissibleState& state) { return refuse(t, state.what()); }
     for (std::size_t i = 0; i < r.size(); ++i) {
       if (!std::isfinite(r[i])) {
         return refuse(t, "the residual is not finite in the row of " + system_.describe(static_cast<core::Index>(i)));

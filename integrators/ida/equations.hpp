@@ -15,7 +15,8 @@ namespace talus::ida {
 /// `refused`: not here, try a smaller step. `broken`: an exception that must end the integration.
 enum class Outcome { ok, refused, broken };
 
-/// A DaeSystem behind a border that no exception crosses: evaluates, checks that everything is finite, factors, counts and times.
+/// A DaeSystem behind a border that no exception crosses: evaluates, checks that everything is finite, factors, counts
+/// and times.
 class Equations {
  public:
   /// All must outlive this.

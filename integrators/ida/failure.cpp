@@ -13,8 +13,8 @@ std::string report(const Failure& failure, const core::DaeSystem& system, std::s
   constexpr std::size_t n_rows = 10;
   std::ostringstream text;
   text.precision(10);
-  text << failure.what << " at t = " << failure.t << " s, step " << failure.step << " s, order " << failure.order << ", after "
-       << failure.steps << " steps";
+  text << failure.what << " at t = " << failure.t << " s, step " << failure.step << " s, order " << failure.order
+       << ", after " << failure.steps << " steps";
   if (!failure.refusal.empty()) text << "\n  last refused: " << failure.refusal;
 
   const auto rank = [size](core::Index i) { return std::isnan(size[i]) ? HUGE_VAL : std::abs(size[i]); };
@@ -26,7 +26,8 @@ std::string report(const Failure& failure, const core::DaeSystem& system, std::s
   if (!rows.empty()) text << "\n  worst rows by " << failure.measure << ':';
   text.precision(4);
   for (const core::Index i : rows) {
-    text << "\n    " << size[i] << "  " << system.describe(i) << ", value " << y[i] << ' ' << system.layout().field(i).unit;
+    text << "\n    " << size[i] << "  " << system.describe(i) << ", value " << y[i] << ' '
+         << system.layout().field(i).unit;
   }
   return text.str();
 }

@@ -11,7 +11,8 @@
 
 namespace talus::ida {
 
-Ida::Ida(const core::DaeSystem& system, const Options& options) : machine_(std::make_unique<Machine>(system, options)) {}
+Ida::Ida(const core::DaeSystem& system, const Options& options)
+    : machine_(std::make_unique<Machine>(system, options)) {}
 
 Ida::~Ida() = default;
 
@@ -67,8 +68,8 @@ std::string Ida::describe() const {
   std::array<char, 32> version{};
   SUNDIALSGetVersion(version.data(), static_cast<int>(version.size()));
   std::ostringstream line;
-  line << "SUNDIALS IDA " << version.data() << ", order <= " << m.options.max_order << ", rtol " << m.options.rtol << ", "
-       << (m.damped ? "damped" : "stock") << " Newton; " << m.equations.solver().describe();
+  line << "SUNDIALS IDA " << version.data() << ", order <= " << m.options.max_order << ", rtol " << m.options.rtol
+       << ", " << (m.damped ? "damped" : "stock") << " Newton; " << m.equations.solver().describe();
   return line.str();
 }
 

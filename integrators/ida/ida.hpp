@@ -8,11 +8,11 @@
 
 namespace talus::ida {
 
-/// SUNDIALS IDA on a DaeSystem of index 1 or 2: backward differentiation formulas of variable order and step, with our Newton
-/// iteration and our linear solvers.
+/// SUNDIALS IDA on a DaeSystem of index 1 or 2: backward differentiation formulas of variable order and step, with our
+/// Newton iteration and our linear solvers.
 ///
-/// Between breakpoints IDA chooses its steps freely; output times are reached by its own interpolation and disturb nothing. At a
-/// breakpoint it stops, the state is made consistent again, and it starts afresh at order 1.
+/// Between breakpoints IDA chooses its steps freely; output times are reached by its own interpolation and disturb
+/// nothing. At a breakpoint it stops, the state is made consistent again, and it starts afresh at order 1.
 class Ida final : public core::Integrator {
  public:
   /// `system` must outlive this. Throws std::invalid_argument for options outside their range.
@@ -21,14 +21,15 @@ class Ida final : public core::Integrator {
 
   /// See core::Integrator. Throws IntegrationError where no consistent state is found, and what the system throws.
   void start(double t, std::span<const double> y, std::span<const double> yp) override;
-  /// See core::Integrator; `observer.on_output` is the caller's to call, with current(). A step beyond t_out is shown to
-  /// `observer.on_step` by the next call, so that observers see time grow. A request to stop at exactly t_out returns true.
+  /// See core::Integrator; `observer.on_output` is the caller's to call, with current(). A step beyond t_out is shown
+  /// to `observer.on_step` by the next call, so that observers see time grow. A request to stop at exactly t_out
+  /// returns true.
   bool advance(double t_out, core::Observer& observer) override;
   [[nodiscard]] core::Snapshot current() const override;
   [[nodiscard]] std::string describe() const override;
 
-  /// Starts afresh from current(), as start() would, and keeps counting: a run continued from a checkpoint written here and the run
-  /// that wrote it are then equal bit by bit.
+  /// Starts afresh from current(), as start() would, and keeps counting: a run continued from a checkpoint written here
+  /// and the run that wrote it are then equal bit by bit.
   void restart();
 
  private:

@@ -94,8 +94,9 @@ Ida::Machine::Machine(const core::DaeSystem& system, const Options& wanted)
 
 void Ida::Machine::begin(double from) {
   t = from;
-  const auto outcome = make_consistent(equations, options, t, y.span(), yp.span());
-  if (outcome != Outcome::ok) fail("no consistent state found", 0);
+  std::vector<double> correction;
+  const auto outcome = make_consistent(equations, options, t, y.span(), yp.span(), correction);
+  if (outcome != Outcome::ok) fail("no consistent state found", 0, correction);
   if (damped) damped->forget();
   before_ = statistics;
   must(IDAReInit(memory.ida, t, y.handle(), yp.handle()), "IDAReInit");
@@ -123,7 +124,8 @@ void Ida::Machine::step(double t_out) {
   at_breakpoint = flag == IDA_TSTOP_RETURN;
   unseen = true;
   const long failures = statistics.error_test_failures + statistics.newton_failures - failures_at_output_;
-  if (failures > options.max_failures_between_outputs) fail("too many failed steps between two outputs: no progress", 0);
+  if (failures > options.max_failures_between_outputs)
+    fail("too many failed steps between two outputs: no progress", 0);
 }
 
 void Ida::Machine::count() {
@@ -162,12 +164,15 @@ void Ida::Machine::interpolate(double t_out) {
   failures_at_output_ = statistics.error_test_failures + statistics.newton_failures;
 }
 
-void Ida::Machine::fail(const std::string& what, int flag) {
+void Ida::Machine::fail(const std::string& what, int flag, std::span<const double> weighted_correction) {
   equations.rethrow();
   const auto n = static_cast<std::size_t>(equations.size());
   Failure failure{what, t, 0.0, 0, static_cast<long>(statistics.steps), equations.refusal(), ""};
   std::vector<double> size(n, 0.0);
-  if (started) {
+  if (!weighted_correction.empty()) {
+    failure.measure = "weighted Newton correction of the start";
+    std::copy(weighted_correction.begin(), weighted_correction.end(), size.begin());
+  } else if (started) {
     IDAGetCurrentStep(memory.ida, &failure.step);
     IDAGetCurrentOrder(memory.ida, &failure.order);
     const Vector weights(equations.size(), memory.context), errors(equations.size(), memory.context);

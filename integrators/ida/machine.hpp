@@ -38,20 +38,21 @@ struct Ida::Machine {
   /// Puts the state at t_out, which lies within the last step, into `shown`.
   void interpolate(double t_out);
   void show_internal();
-  [[noreturn]] void fail(const std::string& what, int flag);
+  /// `weighted_correction`: of a start, shape n; empty for a step.
+  [[noreturn]] void fail(const std::string& what, int flag, std::span<const double> weighted_correction = {});
 
   Options options;
   core::Statistics statistics;
   Equations equations;
   IdaMemory memory;
-  Vector y, yp, tolerances, kinds;      // y, y' at the internal time t
-  std::unique_ptr<StepNewton> damped;   // one of the two
+  Vector y, yp, tolerances, kinds;     // y, y' at the internal time t
+  std::unique_ptr<StepNewton> damped;  // one of the two
   std::unique_ptr<StockNewton> stock;
-  double t = 0.0;                       // [s]
+  double t = 0.0;  // [s]
   bool started = false;
-  bool at_breakpoint = false;           // t is one: start afresh before the next step
-  bool unseen = false;                  // the observer has not seen the step that ended at t
-  double shown_t = 0.0;                 // what current() tells
+  bool at_breakpoint = false;  // t is one: start afresh before the next step
+  bool unseen = false;         // the observer has not seen the step that ended at t
+  double shown_t = 0.0;        // what current() tells
   std::vector<double> shown_y, shown_yp;
 
  private:
@@ -61,8 +62,8 @@ struct Ida::Machine {
   static int residual(realtype t, N_Vector y, N_Vector yp, N_Vector r, void* user);
   static void keep_message(int code, const char* module, const char* function, char* message, void* user);
 
-  core::Statistics before_;             // counts of IDA up to its last start
-  std::string message_;                 // IDA's last
+  core::Statistics before_;  // counts of IDA up to its last start
+  std::string message_;      // IDA's last
   long steps_since_output_ = 0, failures_at_output_ = 0;
 };
 

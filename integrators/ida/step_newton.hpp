@@ -9,8 +9,8 @@
 
 namespace talus::ida {
 
-/// DampedNewton as the SUNNonlinearSolver of IDA's steps. It owns the way to the Jacobian and its factors (through Equations), so
-/// IDA gets no linear solver and decides nothing about either.
+/// DampedNewton as the SUNNonlinearSolver of IDA's steps. It owns the way to the Jacobian and its factors (through
+/// Equations), so IDA gets no linear solver and decides nothing about either.
 class StepNewton final : private NewtonProblem {
  public:
   /// `ida_memory` is IDA's, `equations` must outlive this.

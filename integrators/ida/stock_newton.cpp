@@ -11,7 +11,8 @@ namespace {
 /// A callback's return value: positive asks IDA for a smaller step, negative ends the integration.
 int flag(Outcome outcome) { return outcome == Outcome::ok ? 0 : (outcome == Outcome::refused ? 1 : -1); }
 
-int refresh(realtype t, realtype c_j, N_Vector y, N_Vector yp, N_Vector, SUNMatrix, void* user, N_Vector, N_Vector, N_Vector) {
+int refresh(realtype t, realtype c_j, N_Vector y, N_Vector yp, N_Vector, SUNMatrix, void* user, N_Vector, N_Vector,
+            N_Vector) {
   return flag(static_cast<Equations*>(user)->refresh(t, view(y), view(yp), c_j));
 }
 
@@ -39,9 +40,12 @@ SUNLinearSolver make_solver(Equations& equations, SUNContext context) {
 }  // namespace
 
 StockNewton::StockNewton(Equations& equations, void* ida_memory, N_Vector shape, SUNContext context)
-    : newton_(SUNNonlinSol_Newton(shape, context)), solver_(make_solver(equations, context)), matrix_(make_matrix(context)) {
+    : newton_(SUNNonlinSol_Newton(shape, context)),
+      solver_(make_solver(equations, context)),
+      matrix_(make_matrix(context)) {
   if (IDASetNonlinearSolver(ida_memory, newton_) != IDA_SUCCESS ||
-      IDASetLinearSolver(ida_memory, solver_, matrix_) != IDA_SUCCESS || IDASetJacFn(ida_memory, refresh) != IDA_SUCCESS) {
+      IDASetLinearSolver(ida_memory, solver_, matrix_) != IDA_SUCCESS ||
+      IDASetJacFn(ida_memory, refresh) != IDA_SUCCESS) {
     throw std::runtime_error("IDA does not accept the stock Newton solver");
   }
 }

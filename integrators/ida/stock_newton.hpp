@@ -9,8 +9,8 @@
 
 namespace talus::ida {
 
-/// SUNDIALS' own Newton iteration over our Jacobian and direct solver, for comparison with StepNewton. SUNDIALS' matrix object is
-/// an empty shell: Jacobian and factors live in Equations.
+/// SUNDIALS' own Newton iteration over our Jacobian and direct solver, for comparison with StepNewton. SUNDIALS' matrix
+/// object is an empty shell: Jacobian and factors live in Equations.
 class StockNewton {
  public:
   /// Attaches itself to `ida_memory`, whose user data must be `equations`. Throws std::runtime_error.

@@ -15,22 +15,25 @@
 namespace talus::linear {
 namespace {
 
-// Seconds of a factorisation with the solves that follow it, from counted operations, entries of the factors and of the matrix,
-// fitted to the table in the room's README. Only their ratios matter.
+// Seconds of a factorisation with the solves that follow it, from counted operations, entries of the factors and of the
+// matrix, fitted to the table in the room's README. Only their ratios matter.
 constexpr double solves = 10.0;
 constexpr double klu_speed = 2.2e9;
 double klu_seconds(const Statistics& s) { return s.flops / klu_speed + solves * 5e-9 * static_cast<double>(s.fill); }
 double umfpack_seconds(const Statistics& s, Index n_nonzeros) {
-  return s.flops / 6e9 + 8e-8 * static_cast<double>(n_nonzeros) + (7e-9 + solves * 2.1e-9) * static_cast<double>(s.fill);
+  return s.flops / 6e9 + 8e-8 * static_cast<double>(n_nonzeros) +
+         (7e-9 + solves * 2.1e-9) * static_cast<double>(s.fill);
 }
 double banded_seconds(const BandedSolver& solver) {
-  const double width = static_cast<double>(solver.lower()), entries = static_cast<double>(solver.memory() / sizeof(double));
+  const double width = static_cast<double>(solver.lower()),
+               entries = static_cast<double>(solver.memory() / sizeof(double));
   return solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries;
 }
 
 /// Two threads share the band.
 double condensed_seconds(const CondensedSolver& solver) {
-  const double width = static_cast<double>(solver.width()), entries = static_cast<double>(solver.memory() / sizeof(double));
+  const double width = static_cast<double>(solver.width()),
+               entries = static_cast<double>(solver.memory() / sizeof(double));
   return 0.6 * (solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries);
 }
 
@@ -76,13 +79,15 @@ void AutomaticSolver::choose(std::span<const double> values) {
     fewest_flops = std::min(fewest_flops, s.flops);
     return umfpack_seconds(s, pattern_.n_nonzeros());
   };
-  offer("UMFPACK unsymmetric", std::make_unique<UmfpackSolver>(pattern_, UmfpackSolver::Strategy::unsymmetric), umfpack);
+  offer("UMFPACK unsymmetric", std::make_unique<UmfpackSolver>(pattern_, UmfpackSolver::Strategy::unsymmetric),
+        umfpack);
   {
     // Without a good diagonal this strategy fills in without bound.
     const MemoryLimit limit(chosen_ ? 2 * bytes_an_entry * static_cast<std::size_t>(least_fill) : 0);
     offer("UMFPACK symmetric", std::make_unique<UmfpackSolver>(pattern_, UmfpackSolver::Strategy::symmetric), umfpack);
   }
-  // KLU needs about the operations and the fill of UMFPACK: that tells beforehand where it cannot win, and when to stop it.
+  // KLU needs about the operations and the fill of UMFPACK: that tells beforehand where it cannot win, and when to stop
+  // it.
   if (fewest_flops / klu_speed < std::min(best, band_seconds)) {
     const KluSolver::Settings klu{settings_.pivot_tolerance, settings_.ordering, 2 * least_fill};
     offer("KLU", std::make_unique<KluSolver>(pattern_, klu), klu_seconds);

@@ -6,10 +6,11 @@
 
 namespace talus::linear {
 
-/// Takes, on the first matrix, the solver with the least predicted time of a factorisation among those whose test solve passes.
+/// Takes, on the first matrix, the solver with the least predicted time of a factorisation among those whose test solve
+/// passes.
 ///
-/// The prediction is counted operations over the typical speed of each library's kernels, not a stopwatch: the same matrix gives
-/// the same choice, hence the same rounding, in every run.
+/// The prediction is counted operations over the typical speed of each library's kernels, not a stopwatch: the same
+/// matrix gives the same choice, hence the same rounding, in every run.
 class AutomaticSolver final : public DirectSolver {
  public:
   AutomaticSolver(const SparsePattern& pattern, Settings settings);

@@ -8,15 +8,17 @@
 #include "linear/ordering.hpp"
 
 extern "C" {
-void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv, int* info);
-void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab, const int* ldab,
-             const int* ipiv, double* b, const int* ldb, int* info, std::size_t trans_length);
+void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv,
+             int* info);
+void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab,
+             const int* ldab, const int* ipiv, double* b, const int* ldb, int* info, std::size_t trans_length);
 }
 
 namespace talus::linear {
 
 BandedSolver::BandedSolver(const SparsePattern& matrix, std::vector<Index> ordering) : CheckedSolver(matrix) {
-  if (matrix.n() > std::numeric_limits<int>::max()) throw std::invalid_argument("BandedSolver: too many unknowns for LAPACK");
+  if (matrix.n() > std::numeric_limits<int>::max())
+    throw std::invalid_argument("BandedSolver: too many unknowns for LAPACK");
   if (!ordering.empty()) {
     name_ = "given";
     order_ = std::move(ordering);
@@ -37,10 +39,13 @@ BandedSolver::BandedSolver(const SparsePattern& matrix, std::vector<Index> order
   pivots_.resize(matrix.n());
 }
 
-std::size_t BandedSolver::memory() const { return sizeof(double) * static_cast<std::size_t>(leading() * pattern().n()); }
+std::size_t BandedSolver::memory() const {
+  return sizeof(double) * static_cast<std::size_t>(leading() * pattern().n());
+}
 
 double BandedSolver::flops_bound() const {
-  return 2.0 * static_cast<double>(pattern().n()) * static_cast<double>(lower_) * static_cast<double>(lower_ + upper_ + 1);
+  return 2.0 * static_cast<double>(pattern().n()) * static_cast<double>(lower_) *
+         static_cast<double>(lower_ + upper_ + 1);
 }
 
 void BandedSolver::factor_anew() {

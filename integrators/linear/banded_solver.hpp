@@ -4,11 +4,12 @@
 
 namespace talus::linear {
 
-/// LAPACK's band LU (dgbtrf, dense blocks, partial pivoting within the band) of the reordered, row-scaled matrix: best where the
-/// unknowns can be numbered with a narrow band, as column by column on a grid with few layers.
+/// LAPACK's band LU (dgbtrf, dense blocks, partial pivoting within the band) of the reordered, row-scaled matrix: best
+/// where the unknowns can be numbered with a narrow band, as column by column on a grid with few layers.
 class BandedSolver final : public CheckedSolver {
  public:
-  /// `ordering`: unknown number k of the band, shape n. Empty: the narrower of the natural order and reverse Cuthill-McKee.
+  /// `ordering`: unknown number k of the band, shape n. Empty: the narrower of the natural order and reverse Cuthill-
+  /// McKee.
   explicit BandedSolver(const SparsePattern& pattern, std::vector<Index> ordering = {});
   [[nodiscard]] std::string describe() const override;
   /// Sub- and superdiagonals of the reordered matrix.

@@ -15,7 +15,8 @@ CheckedSolver::CheckedSolver(const SparsePattern& pattern)
       x_(pattern.n()) {}
 
 void CheckedSolver::factor(std::span<const double> values) {
-  if (values.size() != values_.size()) throw std::invalid_argument("CheckedSolver::factor: one value an entry of the pattern");
+  if (values.size() != values_.size())
+    throw std::invalid_argument("CheckedSolver::factor: one value an entry of the pattern");
   std::copy(values.begin(), values.end(), values_.begin());
   scale_rows();
   ++statistics_.factorisations;
@@ -60,7 +61,8 @@ void CheckedSolver::scale_rows() {
     row_scale_[rows[k]] = std::max(row_scale_[rows[k]], std::abs(values_[k]));
   }
   for (std::size_t i = 0; i < row_scale_.size(); ++i) {
-    if (row_scale_[i] == 0.0) throw SingularMatrix("row " + std::to_string(i) + " of the matrix is zero", static_cast<Index>(i));
+    if (row_scale_[i] == 0.0)
+      throw SingularMatrix("row " + std::to_string(i) + " of the matrix is zero", static_cast<Index>(i));
     row_scale_[i] = 1.0 / row_scale_[i];
   }
 }

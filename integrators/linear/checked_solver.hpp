@@ -4,9 +4,10 @@
 
 namespace talus::linear {
 
-/// What the solvers share. Each solve is followed by its residual and, where that is above `refine_above`, by up to two steps of
-/// iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew, with new pivots.
-/// The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry of each row.
+/// What the solvers share. Each solve is followed by its residual and, where that is above `refine_above`, by up to two
+/// steps of iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew,
+/// with new pivots. The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry
+/// of each row.
 class CheckedSolver : public DirectSolver {
  public:
   static constexpr double accept_below = 1e-8;   ///< relative residual of a first solve
@@ -18,7 +19,8 @@ class CheckedSolver : public DirectSolver {
   void solve(std::span<double> b) final;
   [[nodiscard]] const Statistics& statistics() const final { return statistics_; }
 
-  /// Relative residual of a solve with a fixed pseudo-random right side, before refinement; infinite where it is not finite.
+  /// Relative residual of a solve with a fixed pseudo-random right side, before refinement; infinite where it is not
+  /// finite.
   double prove();
 
  protected:
@@ -44,7 +46,7 @@ class CheckedSolver : public DirectSolver {
 
   const SparsePattern& pattern_;
   std::vector<double> values_, row_scale_;
-  bool first_ = false;  // the first solve with the factors is still to come
+  bool first_ = false;                    // the first solve with the factors is still to come
   std::vector<double> b_, r_, size_, x_;  // scratch of solve()
   Statistics statistics_;
 };

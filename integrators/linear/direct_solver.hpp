@@ -9,8 +9,8 @@
 
 #include "core/sparse_pattern.hpp"
 
-/// Sparse direct solvers for the square, unsymmetric, often indefinite matrices of the integrators. SuiteSparse and LAPACK are
-/// seen in this room only.
+/// Sparse direct solvers for the square, unsymmetric, often indefinite matrices of the integrators. SuiteSparse and
+/// LAPACK are seen in this room only.
 namespace talus::linear {
 
 using core::Index;
@@ -34,10 +34,10 @@ struct Statistics {
   std::int64_t rejected = 0;          ///< factorisations that failed their first solve and were done anew
   std::int64_t solves = 0;            ///< asked for; refinements do not count
   std::int64_t refinements = 0;
-  Index fill = 0;                     ///< entries of L + U of the last factorisation
-  double flops = 0.0;                 ///< of the last full factorisation, as the library counts or bounds them
-  double first_residual = 0.0;        ///< relative residual of the first solve of the last factorisation, before refinement
-  double worst_residual = 0.0;        ///< largest relative residual of all solves, after refinement
+  Index fill = 0;               ///< entries of L + U of the last factorisation
+  double flops = 0.0;           ///< of the last full factorisation, as the library counts or bounds them
+  double first_residual = 0.0;  ///< relative residual of the first solve of the last factorisation, before refinement
+  double worst_residual = 0.0;  ///< largest relative residual of all solves, after refinement
 };
 
 /// Factors A, of a frozen pattern, and solves A x = b.
@@ -50,7 +50,8 @@ class DirectSolver {
 
   /// Factors the matrix `values` (shape n_nonzeros, in the order of the pattern; copied). Throws SingularMatrix.
   virtual void factor(std::span<const double> values) = 0;
-  /// b <- A^-1 b, shape n. Precondition: the last factor() returned. Throws SingularMatrix where the solution is not finite.
+  /// b <- A^-1 b, shape n. Precondition: the last factor() returned. Throws SingularMatrix where the solution is not
+  /// finite.
   virtual void solve(std::span<double> b) = 0;
   [[nodiscard]] virtual const Statistics& statistics() const = 0;
   /// One line: library with version, ordering, fill, residual.
@@ -61,12 +62,13 @@ enum class Choice : std::uint8_t { automatic, klu, umfpack, banded, condensed };
 
 struct Settings {
   Choice choice = Choice::automatic;
-  double pivot_tolerance = 0.1;      ///< KLU: accept a diagonal pivot of this size relative to the largest entry of its column
+  double pivot_tolerance = 0.1;      ///< KLU: take a diagonal pivot this large relative to the largest of its column
   std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
 };
 
-/// A solver for matrices of `pattern`, which must outlive it. `automatic` tries all on the first matrix and keeps the one with the
-/// least predicted time. Throws std::invalid_argument where the ordering is no permutation of the unknowns.
+/// A solver for matrices of `pattern`, which must outlive it. `automatic` tries all on the first matrix and keeps the
+/// one with the least predicted time. Throws std::invalid_argument where the ordering is no permutation of the
+/// unknowns.
 [[nodiscard]] std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Settings& settings = {});
 
 }  // namespace talus::linear

@@ -58,7 +58,8 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
   if (max_fill > 0 && factors->symbolic->lnz + factors->symbolic->unz > static_cast<double>(max_fill)) return nullptr;
   {
     const MemoryLimit limit(bytes_an_entry * static_cast<std::size_t>(max_fill));
-    if (max_fill > 0) common.initmem = 1.0;  // KLU begins with room for this many times the entries of the matrix, unlimited
+    if (max_fill > 0)
+      common.initmem = 1.0;  // KLU begins with room for this many times the entries of the matrix, unlimited
     factors->numeric = klu_l_factor(starts, rows, const_cast<double*>(values().data()), factors->symbolic, &common);
   }
   if (factors->numeric == nullptr || common.status != KLU_OK) return nullptr;
@@ -104,7 +105,8 @@ void KluSolver::factor_anew() {
     if (factors_->numeric == nullptr || common.status != KLU_OK) {
       const Index column = common.status == KLU_SINGULAR ? common.singular_col : -1;
       klu_l_free_numeric(&factors_->numeric, &common);
-      throw SingularMatrix(common.status == KLU_SINGULAR ? "KLU: the matrix is singular" : "KLU: out of memory", column);
+      throw SingularMatrix(common.status == KLU_SINGULAR ? "KLU: the matrix is singular" : "KLU: out of memory",
+                           column);
     }
     klu_l_flops(factors_->symbolic, factors_->numeric, &common);
   }

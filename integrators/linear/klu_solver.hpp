@@ -10,15 +10,16 @@ namespace talus::linear {
 
 /// KLU: left-looking sparse LU without dense blocks, best for thin grids and up to about 10^4 unknowns.
 ///
-/// The first matrix decides the ordering: COLAMD, COLAMD in block triangular form where that breaks the matrix up, AMD, or a given
-/// one; the fewest operations win among those whose test solve passes. A candidate that outgrows the best factors so far is stopped
-/// (AMD on a saddle point may need a hundred times the time of COLAMD). Later matrices reuse the pivots while the residual allows.
+/// The first matrix decides the ordering: COLAMD, COLAMD in block triangular form where that breaks the matrix up, AMD,
+/// or a given one; the fewest operations win among those whose test solve passes. A candidate that outgrows the best
+/// factors so far is stopped (AMD on a saddle point may need a hundred times the time of COLAMD). Later matrices reuse
+/// the pivots while the residual allows.
 class KluSolver final : public CheckedSolver {
  public:
   struct Settings {
-    double pivot_tolerance = 0.1;      ///< a diagonal entry of this size relative to the largest of its column is taken as pivot
+    double pivot_tolerance = 0.1;  ///< take a diagonal pivot of this size relative to the largest entry of its column
     std::vector<Index> ordering = {};  ///< optional: unknown number k of the elimination, shape n
-    Index max_fill = 0;                ///< give up (SingularMatrix) above this many entries of L + U on the first matrix; 0: none
+    Index max_fill = 0;  ///< give up (SingularMatrix) above this many entries of L + U on the first matrix; 0: none
   };
 
   explicit KluSolver(const SparsePattern& pattern) : KluSolver(pattern, Settings{}) {}

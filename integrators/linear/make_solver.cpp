@@ -16,7 +16,8 @@ std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Se
   }
   limit_blas_to_one_thread();
   switch (settings.choice) {
-    case Choice::klu: return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, ordering, 0});
+    case Choice::klu:
+      return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, ordering, 0});
     case Choice::umfpack: return std::make_unique<UmfpackSolver>(pattern);
     case Choice::banded: return std::make_unique<BandedSolver>(pattern, ordering);
     case Choice::condensed: return std::make_unique<CondensedSolver>(pattern);

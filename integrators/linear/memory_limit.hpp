@@ -7,8 +7,8 @@ namespace talus::linear {
 /// Of a matrix entry with its index.
 inline constexpr std::size_t bytes_an_entry = 16;
 
-/// While alive, SuiteSparse on this thread may not enlarge a block beyond `bytes`: a factorisation that fills in too much then ends
-/// with "out of memory" instead of running on. 0: no limit.
+/// While alive, SuiteSparse on this thread may not enlarge a block beyond `bytes`: a factorisation that fills in too
+/// much then ends with "out of memory" instead of running on. 0: no limit.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes);

@@ -101,7 +101,8 @@ Ordering reverse_cuthill_mckee(const core::SparsePattern& pattern) {
 
 Bandwidth bandwidth(const core::SparsePattern& pattern, std::span<const Index> ordering) {
   const Ordering place = inverse(ordering);
-  if (static_cast<Index>(place.size()) != pattern.n()) throw std::invalid_argument("bandwidth: ordering of another size");
+  if (static_cast<Index>(place.size()) != pattern.n())
+    throw std::invalid_argument("bandwidth: ordering of another size");
   const auto starts = pattern.column_starts();
   const auto rows = pattern.rows();
   Bandwidth width{0, 0};

@@ -13,8 +13,8 @@ using Ordering = std::vector<core::Index>;
 [[nodiscard]] Ordering natural_ordering(core::Index n);
 /// Place of each unknown. Throws std::invalid_argument where the ordering is no permutation.
 [[nodiscard]] Ordering inverse(std::span<const core::Index> ordering);
-/// Cuthill and McKee's breadth-first numbering of the graph of A + A^T, reversed, each component from an end of its longest
-/// level structure (Gibbs, Poole and Stockmeyer's start).
+/// Cuthill and McKee's breadth-first numbering of the graph of A + A^T, reversed, each component from an end of its
+/// longest level structure (Gibbs, Poole and Stockmeyer's start).
 [[nodiscard]] Ordering reverse_cuthill_mckee(const core::SparsePattern& pattern);
 
 struct Bandwidth {

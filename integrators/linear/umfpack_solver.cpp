@@ -30,7 +30,8 @@ void UmfpackSolver::factor_anew() {
   umfpack_dl_free_numeric(&numeric_);
   SuiteSparse_long status = UMFPACK_OK;
   if (symbolic_ == nullptr) {
-    status = umfpack_dl_symbolic(pattern().n(), pattern().n(), starts, rows, nullptr, &symbolic_, control_.data(), info.data());
+    status = umfpack_dl_symbolic(pattern().n(), pattern().n(), starts, rows, nullptr, &symbolic_, control_.data(),
+                                 info.data());
   }
   if (status == UMFPACK_OK) {
     status = umfpack_dl_numeric(starts, rows, values().data(), symbolic_, &numeric_, control_.data(), info.data());

@@ -4,10 +4,12 @@
 
 namespace talus::linear {
 
-/// UMFPACK: multifrontal LU with dense blocks, for 2-D grids. Refinement is CheckedSolver's. Pivots are searched each time.
+/// UMFPACK: multifrontal LU with dense blocks, for 2-D grids. Refinement is CheckedSolver's. Pivots are searched each
+/// time.
 ///
-/// Its strategy is set, not left to UMFPACK, which takes the symmetric one for any matrix of symmetric pattern: that one orders with
-/// AMD and pivots on the diagonal, and is the better by far where the diagonal is good and useless on a plain saddle point.
+/// Its strategy is set, not left to UMFPACK, which takes the symmetric one for any matrix of symmetric pattern: that
+/// one orders with AMD and pivots on the diagonal, and is the better by far where the diagonal is good and useless on a
+/// plain saddle point.
 class UmfpackSolver final : public CheckedSolver {
  public:
   enum class Strategy { symmetric, unsymmetric };

@@ -90,11 +90,14 @@ TEST(IdaFailures, AnInadmissibleTrialIsCountedAndTheRunGoesOn) {
 
 TEST(IdaFailures, ADomainThatEndsIsReportedWithTheModelsWords) {
   Driven model;
-  model.rate = [](double t, double) { return t > 1.0 ? throw core::InadmissibleState("H of column 7 is not positive") : 1.0; };
+  model.rate = [](double t, double) {
+    return t > 1.0 ? throw core::InadmissibleState("H of column 7 is not positive") : 1.0;
+  };
   for (const auto kind : {ida::Newton::damped, ida::Newton::stock}) {
     ida::Options options;
     options.newton.kind = kind;
-    EXPECT_TRUE(says(failure_of(model, options), {"IDA_REP_RES_ERR", "H of column 7 is not positive", "t = ", "order ", "step "}));
+    EXPECT_TRUE(says(failure_of(model, options),
+                     {"IDA_REP_RES_ERR", "H of column 7 is not positive", "t = ", "order ", "step "}));
   }
 }
 
@@ -121,6 +124,12 @@ TEST(IdaFailures, ACrawlIsEndedByTheGuards) {
   options.max_steps_between_outputs = 500;
   model.tolerances = {1e-12, 1e-12};
   EXPECT_TRUE(says(failure_of(model, options), {"too many steps between two outputs"}));
+}
+
+TEST(IdaFailures, AStartWithoutAConsistentStateNamesTheWorstRows) {
+  Driven model;  // so steep that no implicit Euler step of any size has a solution
+  model.rate = [](double, double y) { return 1e12 * (1.0 + y * y); };
+  EXPECT_TRUE(says(failure_of(model), {"no consistent state", "worst rows by", "row 0 of the test"}));
 }
 
 /// The second row is the first one twice over: singular for any c_j.

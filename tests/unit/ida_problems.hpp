@@ -15,14 +15,15 @@ namespace talus::test {
 
 /// A DaeSystem of N unknowns from a scalar-generic `Model`:
 ///   static constexpr int n; std::array<core::Kind, n> kinds; std::array<double, n> tolerances, y_0, yp_0;
-///   template <class S> std::array<S, n> residual(double t, const std::array<S, n>& y, const std::array<S, n>& yp) const;
-/// Each unknown is a field of its own. The Jacobian is dense and exact.
+///   template <class S> std::array<S, n> residual(double t, const std::array<S, n>& y, const std::array<S, n>& yp)
+///   const; Each unknown is a field of its own. The Jacobian is dense and exact.
 template <class Model>
 class SmallDae final : public core::DaeSystem {
  public:
   static constexpr int n = Model::n;
 
-  explicit SmallDae(Model m = {}, std::vector<double> breaks = {}) : model(std::move(m)), breakpoints_(std::move(breaks)) {
+  explicit SmallDae(Model m = {}, std::vector<double> breaks = {})
+      : model(std::move(m)), breakpoints_(std::move(breaks)) {
     std::vector<std::pair<core::Index, core::Index>> entries;
     for (int i = 0; i < n; ++i) {
       layout_.fields.push_back({"y" + std::to_string(i), "1", model.kinds[i], model.tolerances[i]});
@@ -58,7 +59,9 @@ class SmallDae final : public core::DaeSystem {
       for (int i = 0; i < n; ++i) values[j * n + i] = f[i].slope[j];
     }
   }
-  [[nodiscard]] std::string describe(core::Index row) const override { return "row " + std::to_string(row) + " of the test"; }
+  [[nodiscard]] std::string describe(core::Index row) const override {
+    return "row " + std::to_string(row) + " of the test";
+  }
   [[nodiscard]] std::vector<double> breakpoints() const override { return breakpoints_; }
 
   Model model;
@@ -72,8 +75,8 @@ class SmallDae final : public core::DaeSystem {
 inline constexpr auto differential = core::Kind::differential;
 inline constexpr auto algebraic = core::Kind::algebraic;
 
-/// Pendulum of unit length and mass in Cartesian coordinates (x, y, u, v, lambda), constrained in velocity (index 2). At rest at
-/// 90 degrees unless said otherwise; the exact multiplier is u^2 + v^2 - g y.
+/// Pendulum of unit length and mass in Cartesian coordinates (x, y, u, v, lambda), constrained in velocity (index 2).
+/// At rest at 90 degrees unless said otherwise; the exact multiplier is u^2 + v^2 - g y.
 struct Pendulum {
   static constexpr int n = 5;
   static constexpr double g = 9.81;
@@ -87,8 +90,8 @@ struct Pendulum {
   }
 };
 
-/// Angle and angular velocity of the pendulum from rest at 90 degrees, by the classical Runge-Kutta method with 1e-4 s steps
-/// (error below 1e-12 over some seconds).
+/// Angle and angular velocity of the pendulum from rest at 90 degrees, by the classical Runge-Kutta method with 1e-4 s
+/// steps (error below 1e-12 over some seconds).
 inline std::pair<double, double> pendulum_angle(double t) {
   const int steps = static_cast<int>(std::ceil(t / 1e-4));
   const double h = t / steps;
@@ -119,8 +122,8 @@ struct Robertson {
   }
 };
 
-/// Two masses with velocities u1, u2, friction k u, tied by u1 + u2 = q(t) with force p on both (a Stokes problem in the small):
-/// u' = -k u + p, so u1 - u2 decays freely, u1 + u2 = q, and p = (q' + k q)/2.
+/// Two masses with velocities u1, u2, friction k u, tied by u1 + u2 = q(t) with force p on both (a Stokes problem in
+/// the small): u' = -k u + p, so u1 - u2 decays freely, u1 + u2 = q, and p = (q' + k q)/2.
 struct Tied {
   static constexpr int n = 3;
   double k = 2.0;

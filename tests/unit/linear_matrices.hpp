@@ -35,8 +35,11 @@ class Random {
 class MatrixBuilder {
  public:
   /// Rows are renumbered by `row_number`.
-  explicit MatrixBuilder(Index n, std::function<Index(Index)> row_number = {}) : n_(n), row_number_(std::move(row_number)) {}
-  void add(Index row, Index column, double value) { entries_.push_back({row_number_ ? row_number_(row) : row, column, value}); }
+  explicit MatrixBuilder(Index n, std::function<Index(Index)> row_number = {})
+      : n_(n), row_number_(std::move(row_number)) {}
+  void add(Index row, Index column, double value) {
+    entries_.push_back({row_number_ ? row_number_(row) : row, column, value});
+  }
   [[nodiscard]] Matrix build() const {
     std::vector<std::pair<Index, Index>> places;
     for (const auto& e : entries_) places.emplace_back(e.row, e.column);
@@ -63,24 +66,26 @@ inline Matrix random_matrix(Index n, int row_entries) {
   for (Index i = 0; i < n; ++i) {
     m.add(i, (7 * i + 3) % n, 1.0 + random() * 0.5);  // keeps it structurally regular for n prime to 7
     for (int k = 1; k < row_entries; ++k) {
-      m.add(i, static_cast<Index>((random() + 1.0) * 0.5 * static_cast<double>(n)), random() * std::pow(10.0, 3.0 * random()));
+      m.add(i, static_cast<Index>((random() + 1.0) * 0.5 * static_cast<double>(n)),
+            random() * std::pow(10.0, 3.0 * random()));
     }
   }
   return m.build();
 }
 
-/// A layer of viscous grains, `columns` x `layers`: in each column a height H, then (u, w, p) layer by layer, as in the layer model.
-/// Momentum rows: rho c_j, diffusion over 3 x 3 cells with a viscosity that varies by six powers of ten, grad p, weight of H;
-/// constraint rows: div u; H: fed by the fluxes of all layers of three columns.
-/// `constraint_at`: the unknown whose number the constraint rows carry. p: they have no diagonal. w: they chain w up a column, and
-/// the momentum rows of w, under the number of p, have grad p on the diagonal.
+/// A layer of viscous grains, `columns` x `layers`: in each column a height H, then (u, w, p) layer by layer, as in the
+/// layer model. Momentum rows: rho c_j, diffusion over 3 x 3 cells with a viscosity that varies by six powers of ten,
+/// grad p, weight of H; constraint rows: div u; H: fed by the fluxes of all layers of three columns. `constraint_at`:
+/// the unknown whose number the constraint rows carry. p: they have no diagonal. w: they chain w up a column, and the
+/// momentum rows of w, under the number of p, have grad p on the diagonal.
 enum class ConstraintAt { p, w };
 inline Matrix saddle_point(Index columns, Index layers, double c_j, ConstraintAt constraint_at = ConstraintAt::p) {
   constexpr double dx = 5e-3, dz = 1e-3, rho = 1500.0, g = 9.81;
   const Index width = 1 + 3 * layers;
   const auto at = [=](Index i, Index k, int what) { return i * width + 1 + 3 * k + what; };
   const auto eta = [=](Index i, Index k) {
-    return std::pow(10.0, 3.0 - 5.0 * static_cast<double>(k) / static_cast<double>(layers) + std::sin(0.7 * static_cast<double>(i)));
+    return std::pow(10.0, 3.0 - 5.0 * static_cast<double>(k) / static_cast<double>(layers) +
+                              std::sin(0.7 * static_cast<double>(i)));
   };
   Random random;
   MatrixBuilder m(columns * width, [=](Index row) {

@@ -101,7 +101,8 @@ TEST(LinearSolvers, FollowAMatrixWhoseValuesChange) {
 
 TEST(LinearSolvers, RecoverTheKnownSolutionOfASmallSystem) {
   MatrixBuilder builder(3);
-  for (const auto& [i, j, v] : {std::tuple(0, 1, 2.0), {1, 0, 1.0}, {1, 2, 1.0}, {2, 1, 1.0}, {2, 2, 4.0}}) builder.add(i, j, v);
+  for (const auto& [i, j, v] : {std::tuple(0, 1, 2.0), {1, 0, 1.0}, {1, 2, 1.0}, {2, 1, 1.0}, {2, 2, 4.0}})
+    builder.add(i, j, v);
   const Matrix m = builder.build();  // zero diagonal in rows 0 and 1
   for (const Choice choice : general) {
     const auto solver = linear::make_solver(m.pattern, {choice});
@@ -119,15 +120,14 @@ TEST(LinearSolvers, ReportASingularMatrix) {
   const auto column = m.pattern.column_starts();
   for (Index k = column[9]; k < column[10]; ++k) m.values[k] = 0.0;
   for (const Choice choice : general) {
-    EXPECT_THROW(linear::make_solver(m.pattern, {choice})->factor(m.values), linear::SingularMatrix) << static_cast<int>(choice);
+    EXPECT_THROW(linear::make_solver(m.pattern, {choice})->factor(m.values), linear::SingularMatrix)
+        << static_cast<int>(choice);
   }
   linear::BandedSolver banded(m.pattern);
   try {
     banded.factor(m.values);
     FAIL() << "a column of zeros was factored";
-  } catch (const linear::SingularMatrix& error) {
-    EXPECT_EQ(error.place(), 9);
-  }
+  } catch (const linear::SingularMatrix& error) { EXPECT_EQ(error.place(), 9); }
 }
 
 TEST(LinearSolvers, RefuseZeroRowsAndEntriesThatAreNotFinite) {
@@ -141,9 +141,7 @@ TEST(LinearSolvers, RefuseZeroRowsAndEntriesThatAreNotFinite) {
     try {
       linear::make_solver(m.pattern, {choice})->factor(m.values);
       FAIL() << "a row of zeros was factored";
-    } catch (const linear::SingularMatrix& error) {
-      EXPECT_EQ(error.place(), 5);
-    }
+    } catch (const linear::SingularMatrix& error) { EXPECT_EQ(error.place(), 5); }
   }
 }
 
