@@ -9,7 +9,11 @@ using talus::core::Trace;
 template <class S>
 S sample(const S& a, const S& b) {
   using namespace talus::core;
-  using std::exp; using std::log; using std::sqrt; using std::tanh; using std::pow;
+  using std::exp;
+  using std::log;
+  using std::sqrt;
+  using std::tanh;
+  using std::pow;
   return sqrt(a * a + 2.0) / (1.0 + b) - tanh(a / b) * exp(-b) + log(a + b) * pow(b, 1.5) - 3.0 / a;
 }
 
@@ -23,7 +27,8 @@ TEST(Dual, AgreesWithCentralDifferences) {
 
 TEST(Trace, UnitesBothBranches) {
   using T = Trace<3>;
-  const T r = talus::core::select_above(T::input(0), 0.0, [] { return T::input(1); }, [] { return T::input(2); });
+  const T r = talus::core::select_above(
+      T::input(0), 0.0, [] { return T::input(1); }, [] { return T::input(2); });
   EXPECT_EQ(r.inputs.count(), 3U);
   EXPECT_EQ((T::input(1) * 2.0 + T(4.0)).inputs, T::input(1).inputs);
 }
