@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+U_C = "2e-4"  # m/s, of the runs that vary grid and inflow
 GRIDS = [(60, 16), (150, 16), (150, 32), (300, 32)]
 INFLOWS = ["heap_q20", "heap_q46", "heap_q60"]
 WALL_SPEEDS = ["1e-4", "2e-4", "1e-3", "5e-3", "1e-2"]
@@ -19,13 +20,13 @@ DRAIN = [155.2, 202.0, 252.0, 297.6]
 PAPER = {30.8: 0.11, 56.0: 0.15, 150.0: 0.175, 155.2: 0.16, 202.0: 0.08, 252.0: 0.04, 297.6: 0.01}
 
 
-def run(scene, columns, layers, out, settings=()):
+def run(scene, columns, layers, out, settings=(), u_c=U_C):
     """Runs a scene unless `out` holds it finished; its summary, or None where it left none."""
     folder = out / "_".join([scene, f"{columns}x{layers}", *[s.split("=")[1] for s in settings]])
     summary = folder / "summary.json"
     if not summary.exists() or json.loads(summary.read_text())["status"] != "finished":
         command = [ROOT / "build/release/talus", "run", ROOT / f"runs/examples/{scene}.toml", "--out", folder, "--force"]
-        for setting in [f"grid.columns={columns}", f"grid.layers={layers}", *settings]:
+        for setting in [f"grid.columns={columns}", f"grid.layers={layers}", f"wall.u_c={u_c}", *settings]:
             command += ["--set", setting]
         print(f"running {folder.name}", file=sys.stderr)
         subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False)
@@ -68,7 +69,7 @@ def main():
     print("|" + "---|" * (12 + len(times)))
     if choice.wall_speed:
         for speed in WALL_SPEEDS:
-            print(row(f"u_c = {speed} m/s", run("heap_q46", 150, 16, choice.out, [f"wall.u_c={speed}"]), times), flush=True)
+            print(row(f"u_c = {speed} m/s", run("heap_q46", 150, 16, choice.out / f"u_c_{speed}", u_c=speed), times), flush=True)
         print("| paper | | | | | | | | " + " | ".join(f"{PAPER[t]:g}" for t in times) + " | | | | |")
         return
     for scene in INFLOWS:
