@@ -1,40 +1,14 @@
 #pragma once
 
-#include <limits>
-
+#include "experiment/experiment.hpp"
 #include "rheology/law.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace talus::layer {
 
-/// The box between the side walls, seen along the base: x down the base from the left end, z normal to it.
-struct Box {
-  double length;            ///< along the base [m]
-  double height;            ///< normal to the base; the inlet lies there [m]
-  double tilt;              ///< of the base against the horizontal, theta [rad]; positive: down to the right
-  double gap;               ///< between the side walls, W [m]
-  double gravity;           ///< g [m/s2]
-  bool periodic = false;    ///< the right end continues at the left end
-  bool left_open = true;    ///< not periodic: grains may leave over the left end; else a wall
-  double base_slope = 0.0;  ///< db/dx of the base against the grid's x axis [1]; the column lines stay normal to x
-};
-
-/// Grains poured from the inlet: a column source of mass, smooth in time.
-struct Inflow {
-  double rate = 0.0;      ///< Q [kg/s]
-  double position = 0.0;  ///< centre of the inlet along x at z = box height [m]
-  double width = 0.0;     ///< standard deviation sigma of the jet's footprint along x [m]
-  double start = 0.0;     ///< [s]
-  double stop = std::numeric_limits<double>::infinity();  ///< [s]
-  double ramp = 0.2;                                      ///< duration of the C2 ramp that follows start and stop [s]
-  bool along_gravity = true;                              ///< the jet falls along gravity from the inlet; else along -z
-  bool momentum = false;  ///< the jet brings the momentum of its free fall; else the speed of the grains it meets
-};
-
-struct Wall {
-  double mu_w;  ///< side-wall friction [1]
-  double u_c;   ///< speed at which wall friction turns on, tanh(|u| / u_c) [m/s]
-};
+using experiment::Box;
+using experiment::Inflow;
+using experiment::Wall;
 
 /// Cells: uniform columns; layers clustered under the surface by depth D(s) = H0 ((1 + H/H0)^s - 1).
 struct Grid {

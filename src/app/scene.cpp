@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/material.hpp"
 #include "app/scene_checks.hpp"
 #include "app/words.hpp"
 #include "config/problems.hpp"
@@ -19,17 +20,6 @@ using config::Values;
 double number_or(const Values& v, std::string_view key, double absent) { return v.has(key) ? v.number(key) : absent; }
 
 int small_integer(const Values& v, std::string_view key) { return static_cast<int>(v.integer(key)); }
-
-/// Precondition: the schema has asked for the parameters that the law needs. Throws std::invalid_argument.
-rheology::Law law_of(const Values& v) {
-  const auto mu_s = v.number("rheology.mu_s");
-  const std::string& word = v.text("rheology.law");
-  if (word == "constant") return rheology::constant(mu_s);
-  const auto base = rheology::classical(mu_s, v.number("rheology.mu_d"), v.number("rheology.I_0"));
-  if (word == "classical") return base;
-  const auto I_N = v.has("rheology.I_N") ? std::optional(v.number("rheology.I_N")) : std::nullopt;
-  return rheology::partially_regularised(base, v.number("rheology.mu_inf"), v.number("rheology.alpha"), I_N);
-}
 
 /// `times`, multiples of `interval`, 0 and `end`, ascending; a multiple within rounding of a listed time is that time.
 std::vector<double> record_times(std::vector<double> times, std::optional<double> interval, double end) {
@@ -49,8 +39,8 @@ std::vector<double> record_times(std::vector<double> times, std::optional<double
   return times;
 }
 
-layer::Inflow inflow_of(const Values& v) {
-  layer::Inflow inflow;
+experiment::Inflow inflow_of(const Values& v) {
+  experiment::Inflow inflow;
   inflow.rate = v.number("inflow.rate");
   inflow.position = number_or(v, "inflow.position", inflow.position);
   inflow.width = number_or(v, "inflow.width", inflow.width);
@@ -62,7 +52,7 @@ layer::Inflow inflow_of(const Values& v) {
   return inflow;
 }
 
-layer::Box box_of(const Values& v) {
+experiment::Box box_of(const Values& v) {
   return {.length = v.number("box.length"),
           .height = v.number("box.height"),
           .tilt = v.number("box.tilt") * std::numbers::pi / 180.0,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/values.hpp"
+#include "experiment/experiment.hpp"
 #include "ida/options.hpp"
 #include "layer/parameters.hpp"
 #include "linear/direct_solver.hpp"
@@ -36,12 +37,12 @@ struct Scene {
   std::string name;
   std::string title;
   std::string description;
-  layer::Box box;
+  experiment::Box box;
   rheology::Grains grains;
   rheology::Law law;
   rheology::Regularisation regularisation;
-  layer::Wall wall;
-  layer::Inflow inflow;
+  experiment::Wall wall;
+  experiment::Inflow inflow;
   std::string model;
   layer::Numerics numerics;
   double initial_thickness;  ///< [m]

@@ -48,6 +48,17 @@ Schema& Schema::add(Key key) {
   return *this;
 }
 
+Schema Schema::with_requirements(const std::function<bool(std::string_view)>& required) const {
+  Schema changed = *this;
+  for (auto& section : changed.sections_) {
+    for (auto& key : section.keys) {
+      if (!key.value_if_absent && !key.is_needed && key.condition.empty()) key.required = required(key.name);
+      if (!key.required && key.condition.empty()) key.condition = "optional";
+    }
+  }
+  return changed;
+}
+
 const Section* Schema::find_section(std::string_view name) const {
   const auto found = std::ranges::find(sections_, name, &Section::name);
   return found == sections_.end() ? nullptr : &*found;

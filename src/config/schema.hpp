@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,10 @@ class Schema {
   Schema& section(std::string name, std::string doc);
   /// Throws std::logic_error outside a section, for a name already declared, or for a default that the key refuses.
   Schema& add(Key key);
+
+  /// The same keys, of which those without a default are required if and only if `required` holds for their dotted name;
+  /// a condition stays a condition.
+  [[nodiscard]] Schema with_requirements(const std::function<bool(std::string_view)>& required) const;
 
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
   /// By dotted name, or null.

@@ -3,25 +3,9 @@
 #include <cmath>
 
 #include "layer/terms/kernel.hpp"
+#include "rheology/wall_friction.hpp"
 
 namespace talus::layer {
-
-/// tanh(sqrt(x)/u_c)/sqrt(x) for x = |u|^2 >= 0: the factor that turns u into the direction of wall friction. Smooth at rest.
-template <class S>
-S friction_direction(const S& speed_squared, double u_c) {
-  using std::sqrt;
-  using std::tanh;
-  using core::sqrt;
-  using core::tanh;
-  const S s = speed_squared / (u_c * u_c);
-  return core::select_above(
-      s, 1e-6,
-      [&] {
-        const S root = sqrt(s);
-        return S(tanh(root) / (u_c * root));
-      },
-      [&] { return S((1.0 - s / 3.0) / u_c); });
-}
 
 /// Side-wall friction (2 mu_w/W) p u/|u| of (3.16) on the momentum volume about (face f, layer k).
 struct WallFriction : Kernel {
@@ -50,7 +34,7 @@ struct WallFriction : Kernel {
     const S w = u * slope + 0.25 * (in.y[omega_] + in.y[omega_ + 1] + in.y[omega_ + 2] + in.y[omega_ + 3]);
     const S p = rheology::positive_pressure(S(0.5 * (in.y[p_] + in.y[p_ + 1])), par.regularisation.p_0);
     const S drag = (2.0 * par.wall.mu_w / par.box.gap * width(f)) * g.h_face(2, k) * p *
-                   friction_direction(S(u * u + w * w), par.wall.u_c);
+                   rheology::friction_direction(S(u * u + w * w), par.wall.u_c);
     scatter_momentum(S(drag * u), S(drag * w), slope, out, 0);
   }
 };
