@@ -3,10 +3,13 @@
 #include <span>
 #include <vector>
 
-#include "ida/equations.hpp"
+#include "bridge/equations.hpp"
 #include "ida/options.hpp"
 
 namespace talus::ida {
+
+using bridge::Equations;
+using bridge::Outcome;
 
 /// Makes (y, y') at time t consistent, also where the system has index 2, by two implicit Euler steps of size
 /// `start_step`:

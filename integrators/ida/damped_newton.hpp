@@ -3,10 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "ida/equations.hpp"
+#include "bridge/equations.hpp"
 #include "ida/options.hpp"
 
 namespace talus::ida {
+
+using bridge::Outcome;
 
 /// One system G(x) = 0 as Newton's method sees it.
 class NewtonProblem {

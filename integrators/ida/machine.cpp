@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+#include <stdexcept>
 
+#include "bridge/failure.hpp"
 #include "core/errors.hpp"
 #include "ida/consistent_start.hpp"
-#include "ida/failure.hpp"
 
 namespace talus::ida {
 namespace {
@@ -65,7 +67,6 @@ Ida::Machine::Machine(const core::DaeSystem& system, const Options& wanted)
   const auto& layout = system.layout();
   for (core::Index i = 0; i < layout.size(); ++i) {
     const auto& field = layout.field(i);
-    require(field.absolute_tolerance > 0.0, "ida: each field needs a positive absolute tolerance");
     tolerances.span()[i] = field.absolute_tolerance;
     kinds.span()[i] = field.kind == core::Kind::differential ? 1.0 : 0.0;
   }
@@ -167,35 +168,37 @@ void Ida::Machine::interpolate(double t_out) {
 void Ida::Machine::fail(const std::string& what, int flag, std::span<const double> weighted_correction) {
   equations.rethrow();
   const auto n = static_cast<std::size_t>(equations.size());
-  Failure failure{what, t, 0.0, 0, static_cast<long>(statistics.steps), equations.refusal(), ""};
+  double step = 0.0;
+  int order = 0;
+  std::string measure;
   std::vector<double> size(n, 0.0);
   if (!weighted_correction.empty()) {
-    failure.measure = "weighted Newton correction of the start";
+    measure = "weighted Newton correction of the start";
     std::copy(weighted_correction.begin(), weighted_correction.end(), size.begin());
   } else if (started) {
-    IDAGetCurrentStep(memory.ida, &failure.step);
-    IDAGetCurrentOrder(memory.ida, &failure.order);
+    IDAGetCurrentStep(memory.ida, &step);
+    IDAGetCurrentOrder(memory.ida, &order);
     const Vector weights(equations.size(), memory.context), errors(equations.size(), memory.context);
     IDAGetErrWeights(memory.ida, weights.handle());
     IDAGetEstLocalErrors(memory.ida, errors.handle());
     const bool by_error = flag == IDA_ERR_FAIL;
     const bool by_newton = !by_error && damped && damped->newton().correction().size() == n;
-    failure.measure = by_error ? "weighted local error" : "weighted Newton correction";
+    measure = by_error ? "weighted local error" : "weighted Newton correction";
     for (std::size_t i = 0; i < n; ++i) {
       const double change = by_newton ? damped->newton().correction()[i] : errors.span()[i];
       size[i] = by_error && kinds.span()[i] == 0.0 ? 0.0 : change * weights.span()[i];
     }
   }
-  throw core::IntegrationError(report(failure, equations.system(), size, shown_y));
+  std::ostringstream headline;
+  headline.precision(10);
+  headline << what << " at t = " << t << " s, step " << step << " s, order " << order << ", after " << statistics.steps
+           << " steps";
+  const bridge::Failure failure{headline.str(), equations.refusal(), measure};
+  throw core::IntegrationError(bridge::report(failure, equations.system(), size, shown_y));
 }
 
 int Ida::Machine::residual(realtype t, N_Vector y, N_Vector yp, N_Vector r, void* user) {
-  switch (static_cast<Equations*>(user)->residual(t, view(y), view(yp), view(r))) {
-    case Outcome::ok: return 0;
-    case Outcome::refused: return 1;
-    case Outcome::broken: break;
-  }
-  return -1;
+  return bridge::flag(static_cast<Equations*>(user)->residual(t, view(y), view(yp), view(r)));
 }
 
 void Ida::Machine::keep_message(int, const char*, const char*, char* message, void* user) {

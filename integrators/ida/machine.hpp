@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "ida/equations.hpp"
+#include "bridge/equations.hpp"
+#include "bridge/vectors.hpp"
 #include "ida/ida.hpp"
 #include "ida/step_newton.hpp"
 #include "ida/stock_newton.hpp"
-#include "ida/vectors.hpp"
 
 namespace talus::ida {
 

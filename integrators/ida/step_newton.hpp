@@ -4,10 +4,14 @@
 
 #include <vector>
 
+#include "bridge/vectors.hpp"
 #include "ida/damped_newton.hpp"
-#include "ida/vectors.hpp"
 
 namespace talus::ida {
+
+using bridge::Equations;
+using bridge::Vector;
+using bridge::view;
 
 /// DampedNewton as the SUNNonlinearSolver of IDA's steps. It owns the way to the Jacobian and its factors (through
 /// Equations), so IDA gets no linear solver and decides nothing about either.

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <sundials/sundials_linearsolver.h>
-#include <sundials/sundials_matrix.h>
 #include <sundials/sundials_nonlinearsolver.h>
 
-#include "ida/equations.hpp"
-#include "ida/vectors.hpp"
+#include "bridge/equations.hpp"
+#include "bridge/linear_shell.hpp"
+#include "bridge/vectors.hpp"
 
 namespace talus::ida {
 
-/// SUNDIALS' own Newton iteration over our Jacobian and direct solver, for comparison with StepNewton. SUNDIALS' matrix
-/// object is an empty shell: Jacobian and factors live in Equations.
+using bridge::Equations;
+using bridge::view;
+
+/// SUNDIALS' own Newton iteration over our Jacobian and direct solver, for comparison with StepNewton.
 class StockNewton {
  public:
   /// Attaches itself to `ida_memory`, whose user data must be `equations`. Throws std::runtime_error.
@@ -21,8 +22,7 @@ class StockNewton {
 
  private:
   SUNNonlinearSolver newton_;
-  SUNLinearSolver solver_;
-  SUNMatrix matrix_;
+  bridge::LinearShell linear_;
 };
 
 }  // namespace talus::ida

@@ -10,7 +10,7 @@ namespace talus::test {
 namespace {
 
 using ida::DampedNewton;
-using ida::Outcome;
+using bridge::Outcome;
 using Status = DampedNewton::Status;
 
 /// Uncoupled equations g(x_i) = 0 with their own slope, and counters.

@@ -1,4 +1,4 @@
-#include "ida/failure.hpp"
+#include "bridge/failure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,13 @@
 #include <sstream>
 #include <vector>
 
-namespace talus::ida {
+namespace talus::bridge {
 
 std::string report(const Failure& failure, const core::DaeSystem& system, std::span<const double> size,
                    std::span<const double> y) {
   constexpr std::size_t n_rows = 10;
   std::ostringstream text;
-  text.precision(10);
-  text << failure.what << " at t = " << failure.t << " s, step " << failure.step << " s, order " << failure.order
-       << ", after " << failure.steps << " steps";
+  text << failure.what;
   if (!failure.refusal.empty()) text << "\n  last refused: " << failure.refusal;
 
   const auto rank = [size](core::Index i) { return std::isnan(size[i]) ? HUGE_VAL : std::abs(size[i]); };
@@ -32,4 +30,4 @@ std::string report(const Failure& failure, const core::DaeSystem& system, std::s
   return text.str();
 }
 
-}  // namespace talus::ida
+}  // namespace talus::bridge

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace talus::ida {
+namespace talus::bridge {
 
 inline std::span<double> view(N_Vector v) { return {NV_DATA_S(v), static_cast<std::size_t>(NV_LENGTH_S(v))}; }
 
@@ -28,4 +28,4 @@ class Vector {
   N_Vector handle_;
 };
 
-}  // namespace talus::ida
+}  // namespace talus::bridge

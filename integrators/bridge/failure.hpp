@@ -5,15 +5,11 @@
 
 #include "core/dae_system.hpp"
 
-namespace talus::ida {
+namespace talus::bridge {
 
-/// What is known when an integration fails.
+/// What is known when an integrator gives up.
 struct Failure {
-  std::string what;  ///< for example "IDA gave up (IDA_CONV_FAIL)"
-  double t;          ///< [s]
-  double step;       ///< last tried [s]
-  int order;
-  long steps;
+  std::string what;     ///< one line: library, flag by name, time, counts
   std::string refusal;  ///< why a state was last refused, or empty
   std::string measure;  ///< what `size` measures, for example "weighted Newton correction"
 };
@@ -23,4 +19,4 @@ struct Failure {
 [[nodiscard]] std::string report(const Failure& failure, const core::DaeSystem& system, std::span<const double> size,
                                  std::span<const double> y);
 
-}  // namespace talus::ida
+}  // namespace talus::bridge

@@ -1,13 +1,14 @@
-#include "ida/equations.hpp"
+#include "bridge/equations.hpp"
 
 #include <cmath>
 #include <ctime>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "core/errors.hpp"
 
-namespace talus::ida {
+namespace talus::bridge {
 namespace {
 
 /// Adds the CPU time of its life to a counter.
@@ -29,7 +30,13 @@ Equations::Equations(const core::DaeSystem& system, const linear::Settings& sett
     : system_(system),
       statistics_(statistics),
       solver_(linear::make_solver(system.pattern(), settings)),
-      values_(system.pattern().n_nonzeros()) {}
+      values_(system.pattern().n_nonzeros()) {
+  for (const auto& field : system.layout().fields) {
+    if (!(field.absolute_tolerance > 0.0)) {
+      throw std::invalid_argument("field " + field.name + " needs a positive absolute tolerance");
+    }
+  }
+}
 
 Outcome Equations::residual(double t, std::span<const double> y, std::span<const double> yp,
                             std::span<double> r) noexcept {
@@ -65,12 +72,9 @@ Outcome Equations::refresh(double t, std::span<const double> y, std::span<const 
       solver_->factor(values_);
     } catch (const core::InadmissibleState& state) {
       return refuse(t, state.what());
-    } catch (const linear::SingularMatrix& matrix) {
-      std::string why = std::string("Jacobian: ") + matrix.what();
-      if (matrix.place() >= 0) why += ", at " + system_.describe(matrix.place());
-      return refuse(t, why);
-    }
+    } catch (const linear::SingularMatrix& matrix) { return refuse(t, in_words(matrix)); }
     c_j_ = c_j;
+    factors_t_ = t;
     return Outcome::ok;
   } catch (...) {
     broken_ = std::current_exception();
@@ -82,7 +86,9 @@ Outcome Equations::solve(std::span<double> b) noexcept {
   const Timer timer(statistics_.seconds_solve);
   ++statistics_.solves;
   try {
-    solver_->solve(b);
+    try {
+      solver_->solve(b);
+    } catch (const linear::SingularMatrix& matrix) { return refuse(factors_t_, in_words(matrix)); }
     return Outcome::ok;
   } catch (...) {
     broken_ = std::current_exception();
@@ -94,6 +100,12 @@ void Equations::rethrow() {
   if (broken_) std::rethrow_exception(std::exchange(broken_, nullptr));
 }
 
+std::string Equations::in_words(const linear::SingularMatrix& matrix) const {
+  std::string why = std::string("Jacobian: ") + matrix.what();
+  if (matrix.place() >= 0) why += ", at " + system_.describe(matrix.place());
+  return why;
+}
+
 Outcome Equations::refuse(double t, const std::string& why) {
   ++statistics_.inadmissible_states;
   std::ostringstream message;
@@ -103,4 +115,4 @@ Outcome Equations::refuse(double t, const std::string& why) {
   return Outcome::refused;
 }
 
-}  // namespace talus::ida
+}  // namespace talus::bridge
