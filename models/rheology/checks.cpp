@@ -20,6 +20,12 @@ void require(bool ok, const char* law, const char* name, double value, const std
   if (!ok) throw std::invalid_argument(std::string(law) + ": " + name + " = " + text(value) + " must be " + expected);
 }
 
+void within(double low, double high, const char* law, const char* name, double value) {
+  require(value >= low && value <= high, law, name, value, "from " + text(low) + " to " + text(high));
+}
+
+void friction(const char* law, const char* name, double value) { within(least, most_friction, law, name, value); }
+
 void above(double bound, const char* law, const char* name, double value) {
   require(std::isfinite(value) && value > bound, law, name, value, "finite and above " + text(bound));
 }

@@ -7,16 +7,18 @@
 namespace talus::rheology {
 
 double Classical::inverse(double mu) const {
+  if (mu_s == mu_d) checks::no_inverse(name, mu, "every I has mu_s = mu_d = " + checks::text(mu_s));
   if (!(mu >= mu_s && mu < mu_d))
     checks::no_inverse(name, mu, "needs mu_s = " + checks::text(mu_s) + " <= mu < mu_d = " + checks::text(mu_d));
-  return I_0 * (mu - mu_s) / (mu_d - mu);
+  return I_0 * ((mu - mu_s) / (mu_d - mu));
 }
 
 Classical classical(double mu_s, double mu_d, double I_0) {
-  checks::above(0.0, Classical::name, "mu_s", mu_s);
-  checks::require(std::isfinite(mu_d) && mu_d >= mu_s, Classical::name, "mu_d", mu_d,
-                  "finite and at least mu_s = " + checks::text(mu_s));
-  checks::above(0.0, Classical::name, "I_0", I_0);
+  checks::friction(Classical::name, "mu_s", mu_s);
+  checks::friction(Classical::name, "mu_d", mu_d);
+  checks::require(mu_d >= mu_s, Classical::name, "mu_d", mu_d,
+                  "at least mu_s = " + checks::text(mu_s) + ", or friction would fall as I grows");
+  checks::within(checks::least, checks::most, Classical::name, "I_0", I_0);
   return {mu_s, mu_d, I_0};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rheology/saturation.hpp"
+
 namespace talus::rheology {
 
 /// mu(I) = mu_s + (mu_d - mu_s)/(I_0/I + 1), (1.3): rises from mu_s at rest and saturates at mu_d.
@@ -9,22 +11,25 @@ struct Classical {
 
   template <class S>
   S friction(const S& I) const {
-    return mu_s + (mu_d - mu_s) * (I / (I + I_0));
+    return mu_s + (mu_d - mu_s) * saturation(I, I_0);
   }
 
-  /// dmu/dI.
+  /// I dmu/dI.
   template <class S>
-  S slope(const S& I) const {
-    const S rest = I_0 / (I + I_0);
-    return ((mu_d - mu_s) / I_0) * rest * rest;
+  S log_slope(const S& I) const {
+    return (mu_d - mu_s) * saturation(I, I_0) * (I_0 / (I + I_0));
   }
 
   [[nodiscard]] double friction_at_rest() const { return mu_s; }
+  [[nodiscard]] double slope_at_rest() const { return (mu_d - mu_s) / I_0; }
+  /// mu is below it at every I.
+  [[nodiscard]] double friction_bound() const { return mu_d; }
   /// I with mu(I) = mu, for mu_s <= mu < mu_d; else throws std::domain_error.
   [[nodiscard]] double inverse(double mu) const;
 };
 
-/// Checked: 0 < mu_s <= mu_d, I_0 > 0. Throws std::invalid_argument naming the parameter.
+/// Checked: 0 < mu_s <= mu_d, I_0 > 0, within the ranges that `checks` states. Throws std::invalid_argument naming the
+/// parameter and its range.
 [[nodiscard]] Classical classical(double mu_s, double mu_d, double I_0);
 
 }  // namespace talus::rheology

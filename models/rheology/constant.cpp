@@ -7,7 +7,7 @@ namespace talus::rheology {
 double Constant::inverse(double mu) const { checks::no_inverse(name, mu, "every I has mu_s = " + checks::text(mu_s)); }
 
 Constant constant(double mu_s) {
-  checks::above(0.0, Constant::name, "mu_s", mu_s);
+  checks::friction(Constant::name, "mu_s", mu_s);
   return {mu_s};
 }
 

@@ -13,11 +13,13 @@ struct Constant {
     return S(mu_s);
   }
   template <class S>
-  S slope(const S&) const {
+  S log_slope(const S&) const {
     return S(0.0);
   }
 
   [[nodiscard]] double friction_at_rest() const { return mu_s; }
+  [[nodiscard]] double slope_at_rest() const { return 0.0; }
+  [[nodiscard]] double friction_bound() const { return mu_s; }
   /// Throws std::domain_error always: a constant has no inverse.
   [[noreturn]] double inverse(double mu) const;
 };

@@ -11,7 +11,8 @@
 
 namespace talus::rheology {
 
-/// Every friction law of the room. A law is an aggregate with name, friction, slope, friction_at_rest and inverse.
+/// Every friction law of the room. A law is an aggregate with name, friction, log_slope, friction_at_rest,
+/// slope_at_rest, friction_bound and inverse; I >= 0 throughout.
 using Law = std::variant<Classical, PartiallyRegularised, Constant>;
 
 /// mu(I).
@@ -20,10 +21,21 @@ S friction(const Law& law, const S& I) {
   return std::visit([&](const auto& l) { return l.friction(I); }, law);
 }
 
-/// dmu/dI.
+/// I dmu/dI, which keeps its digits where dmu/dI is too small or too large for a double.
+template <class S>
+S friction_log_slope(const Law& law, const S& I) {
+  return std::visit([&](const auto& l) { return l.log_slope(I); }, law);
+}
+
+/// dmu/dI; at I_N that of the creep side.
 template <class S>
 S friction_slope(const Law& law, const S& I) {
-  return std::visit([&](const auto& l) { return l.slope(I); }, law);
+  return std::visit(
+      [&](const auto& l) {
+        return core::select_above(
+            I, 0.0, [&] { return S(l.log_slope(I) / I); }, [&] { return S(l.slope_at_rest()); });
+      },
+      law);
 }
 
 /// I with mu(I) = mu. Throws std::domain_error naming law, mu and the bound where there is none.
@@ -34,6 +46,11 @@ S friction_slope(const Law& law, const S& I) {
 /// mu(0).
 [[nodiscard]] inline double friction_at_rest(const Law& law) {
   return std::visit([](const auto& l) { return l.friction_at_rest(); }, law);
+}
+
+/// The smallest number that mu(I) never exceeds; infinite where there is none.
+[[nodiscard]] inline double friction_bound(const Law& law) {
+  return std::visit([](const auto& l) { return l.friction_bound(); }, law);
 }
 
 [[nodiscard]] inline std::string_view name(const Law& law) {

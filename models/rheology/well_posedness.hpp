@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "rheology/law.hpp"
 
 namespace talus::rheology {
@@ -28,14 +25,16 @@ struct Response {
 /// infinite for q >= 1, where the pressure equation is no longer elliptic. Positive: ill-posed.
 [[nodiscard]] double max_growth(const Response& r);
 
+/// s = sin 2 phi in [-1, 1] of the fastest wave, phi the angle of its wave vector against the flow, or 90 degrees less
+/// that angle: q/(1 + sqrt(1 - q^2)); the pole 1/q of the growth where |q| >= 1; 1 (and -1 alike) where nu > 1.
+[[nodiscard]] double worst_direction(const Response& r);
+
+/// What becomes of short waves: damped, as the paper's C <= 0 says; damped although C > 0 (nu > 1/2 and q < 1); or
+/// growing the faster the shorter they are, where the equations are ill-posed.
+enum class WellPosedness { well_posed, damped, ill_posed };
+[[nodiscard]] WellPosedness well_posedness(const Response& r);
+
 /// eta k^2/rho over the shear rate gamma: mu (k d)^2/(Phi I^2), at wave number k [1/m].
 [[nodiscard]] double growth_scale(const Grains& grains, const Response& r, double I, double k);
-
-/// All I in [1e-12, 1e6] at which C (3.18) of the law changes sign, ascending, exact to rounding; a jump across zero at
-/// I_N counts. Pairs of points closer than 2 % are not resolved.
-[[nodiscard]] std::vector<double> neutral_points(const Law& law);
-
-/// The smallest I in that range with q = 1, the true bound of the linear theory for laws with nu > 1/2 there.
-[[nodiscard]] std::optional<double> ellipticity_bound(const Law& law);
 
 }  // namespace talus::rheology

@@ -10,6 +10,7 @@
 #include "app/exit_code.hpp"
 #include "app/list.hpp"
 #include "app/plot.hpp"
+#include "app/rheology.hpp"
 #include "app/run.hpp"
 #include "app/scene.hpp"
 #include "app/versions.hpp"
@@ -63,6 +64,8 @@ int act(int argc, const char* const* argv) {
   explain_command->callback([&] { print(config::explain(scene_schema(), section)); });
 
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
+
+  add_rheology(program);
 
   std::filesystem::path folder;
   auto* plot_command = program.add_subcommand("plot", "draw the pictures of a run into its folder");

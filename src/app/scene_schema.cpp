@@ -64,7 +64,7 @@ void rheology_of(Schema& s) {
   const auto mu_of_I = law_is({"classical", "partially_regularised"});
   const auto partial = law_is({"partially_regularised"});
   s.section("rheology", "the friction law mu(I), (1.3), (3.19), and its named regularisations");
-  s.add(choice("law", {"classical", "partially_regularised", "constant"}, "friction law"));
+  s.add(choice("law", words::of(words::laws), "friction law"));
   s.add(number("mu_s", "1", "friction at rest of (1.3); the friction of the constant law").above(0.0));
   s.add(number("mu_d", "1", "friction at large I of (1.3)")
             .above(0.0)

@@ -29,6 +29,9 @@ inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::
 inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
 inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
 
+/// The laws by their place in rheology::Law.
+inline constexpr Table<std::size_t, 3> laws{{{"classical", 0}, {"partially_regularised", 1}, {"constant", 2}}};
+
 template <class T, std::size_t N>
 std::vector<std::string> of(const Table<T, N>& table) {
   std::vector<std::string> out;

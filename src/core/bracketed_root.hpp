@@ -10,31 +10,30 @@ namespace talus::core {
 /// Root of a continuous scalar function f between a and b, where it changes sign: inverse quadratic interpolation
 /// guarded by bisection (Chandrupatla 1997, Adv. Eng. Softw. 28, 145). Exact to a few rounding errors of x, or to
 /// `tolerance` [unit of x]. Throws std::domain_error where f(a) and f(b) have one sign or are not numbers.
-template <class F>
-double bracketed_root(F&& f, double a, double b, double tolerance = 0.0) {
-  double fa = f(a), fb = f(b);
+template <class F, class T>
+T bracketed_root(F&& f, T a, T b, T tolerance = 0.0) {
+  T fa = f(a), fb = f(b);
   if (fa == 0.0) return a;
   if (fb == 0.0) return b;
   if (!(std::signbit(fa) != std::signbit(fb)) || std::isnan(fa) || std::isnan(fb))
     throw std::domain_error("bracketed_root: no change of sign between the two ends");
-  double t = 0.5;
+  T t = 0.5;
   for (int i = 0; i < 200; ++i) {
-    const double x = a + t * (b - a);
-    const double fx = f(x);
-    double c = a, fc = fa;
+    const T x = a + t * (b - a);
+    const T fx = f(x);
+    T c = a, fc = fa;
     if (std::signbit(fx) != std::signbit(fa)) {
       c = b, fc = fb;
       b = a, fb = fa;
     }
     a = x, fa = fx;
-    const double best = std::abs(fa) < std::abs(fb) ? a : b;
-    const double limit =
-        (2.0 * std::numeric_limits<double>::epsilon() * std::abs(best) + 0.5 * tolerance) / std::abs(b - a);
+    const T best = std::abs(fa) < std::abs(fb) ? a : b;
+    const T limit = (2 * std::numeric_limits<T>::epsilon() * std::abs(best) + tolerance / 2) / std::abs(b - a);
     if (fa == 0.0 || !(limit < 0.5)) return best;
-    const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
-    const bool smooth = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
-    t = smooth ? fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb) : 0.5;
-    t = std::clamp(t, limit, 1.0 - limit);
+    const T xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
+    const bool smooth = phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi;
+    t = smooth ? fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb) : T(0.5);
+    t = std::clamp(t, limit, 1 - limit);
   }
   return std::abs(fa) < std::abs(fb) ? a : b;
 }

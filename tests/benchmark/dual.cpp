@@ -13,7 +13,7 @@ using talus::core::Dual;
 
 // Table 2 of the paper.
 const talus::rheology::Law law =
-    talus::rheology::PartiallyRegularised{0.4, 0.9, 1.3, 1.3, 0.05178, 1.9, 2257.43947669322};
+    talus::rheology::partially_regularised(talus::rheology::classical(0.4, 0.9, 1.3), 1.3, 1.9, 0.05178);
 const talus::rheology::Grains grains{2500.0, 0.6, 0.00073};
 const talus::rheology::Regularisation regularisation{1.0, 1e-6, 0.0, 1e4, talus::rheology::Cap::smooth};
 

@@ -90,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"PhysicalConstantLeftOut", "gravity = 9.81          # m/s2\n", "",
                 "<[box]>: box.gravity: missing; expected a number above 0 [m/s2]: acceleration of gravity, g"},
         Mistake{"LawOutOfOrder", "mu_d = 0.9", "mu_d = 0.3",
-                "<law>: rheology.law: classical: mu_d = 0.3 must be finite and at least mu_s = 0.4"},
+                "<law>: rheology.law: classical: mu_d = 0.3 must be at least mu_s = 0.4, or friction would fall as I "
+                "grows"},
         Mistake{"StopBeforeStart", "stop = 150.0 ", "start = 200.0\nstop = 150.0 ",
                 "<stop>: inflow.stop: expected a time after inflow.start [s]"},
         Mistake{"InflowIntoAPeriodicBox", "gravity = 9.81 ", "periodic = true\ngravity = 9.81 ",

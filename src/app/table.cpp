@@ -1,0 +1,92 @@
+#include "app/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+
+namespace talus::app {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string ten_digits(double value) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 10).ptr;
+  return {buffer.data(), end};
+}
+
+Cells cells_of(const Column& column, const std::function<std::string(double)>& number, const std::string& none) {
+  if (const auto* words = std::get_if<std::vector<std::string>>(&column.values)) return *words;
+  Cells cells;
+  for (const double value : std::get<std::vector<double>>(column.values))
+    cells.push_back(std::isfinite(value) ? number(value) : none);
+  return cells;
+}
+
+/// Rows of the columns of cells, each joined by `separator`.
+std::string rows_of(const std::vector<Cells>& columns, const std::string& separator) {
+  std::string out;
+  for (std::size_t row = 0; !columns.empty() && row < columns.front().size(); ++row) {
+    std::string line;
+    for (const auto& column : columns) line += (&column == columns.data() ? "" : separator) + column[row];
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string text_of(const Table& table) {
+  std::vector<Cells> columns;
+  for (const auto& column : table) {
+    Cells cells = cells_of(column, ten_digits, "-");
+    cells.insert(cells.begin(), column.name);
+    const auto width = std::max_element(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+                         return a.size() < b.size();
+                       })->size();
+    for (auto& cell : cells) cell.resize(width, ' ');
+    columns.push_back(std::move(cells));
+  }
+  return rows_of(columns, "  ");
+}
+
+std::string csv_of(const Table& table) {
+  std::vector<Cells> columns;
+  for (const auto& column : table) {
+    columns.push_back(cells_of(column, shortest, ""));
+    columns.back().insert(columns.back().begin(), column.name);
+  }
+  return rows_of(columns, ",");
+}
+
+nlohmann::ordered_json json_of(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json json_of(const Table& table) {
+  auto out = nlohmann::ordered_json::object();
+  for (const auto& column : table) {
+    auto values = nlohmann::ordered_json::array();
+    std::visit(
+        [&](const auto& all) {
+          for (const auto& each : all) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(each)>, double>) values.push_back(json_of(each));
+            else values.push_back(each);
+          }
+        },
+        column.values);
+    out[column.name] = {{"unit", column.unit}, {"description", column.doc}, {"values", std::move(values)}};
+  }
+  return out;
+}
+
+}  // namespace talus::app
