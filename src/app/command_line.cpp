@@ -13,7 +13,9 @@
 #include "app/rheology.hpp"
 #include "app/run.hpp"
 #include "app/scene.hpp"
+#include "app/sweep.hpp"
 #include "app/versions.hpp"
+#include "sweep/sweep_file.hpp"
 
 namespace talus::app {
 namespace {
@@ -26,11 +28,35 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
+/// Of one section of a scene or a sweep file, or of all.
+std::string explanation(const std::string& section) {
+  const auto& sweeps = sweep::sweep_schema();
+  if (section.empty()) return explain(scene_schema()) + "\n" + explain(sweeps);
+  return explain(sweeps.find_section(section) != nullptr ? sweeps : scene_schema(), section);
+}
+
 void add_scene(CLI::App& command, RunRequest& request) {
   command.add_option("scene", request.scene_file, "scene file (TOML)")->required()->type_name("SCENE.toml");
   command.add_option("--set", request.overrides, "replace a value of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void add_sweep(CLI::App& program, SweepRequest& request, int& code) {
+  auto* command = program.add_subcommand("sweep", "run a scene over axes of its keys, many runs at a time");
+  command->add_option("sweep", request.file, "sweep file (TOML); talus explain sweep")
+      ->required()
+      ->type_name("SWEEP.toml");
+  command->add_option("--set", request.overrides, "replace a value of every member's scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--out", request.out, "folder of the sweep; default out/<sweep.name>")->type_name("DIR");
+  command->add_option("--jobs", request.jobs, "members at a time; default one on each core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  command->add_flag("--force", request.force, "run members again whose scene has changed");
+  command->add_flag("--dry-run", request.dry_run, "check all members and say what they are, run nothing");
+  command->callback([&] { code = sweep(request); });
 }
 
 int act(int argc, const char* const* argv) {
@@ -39,7 +65,8 @@ int act(int argc, const char* const* argv) {
   program.set_version_flag("--version", version_text());
   program.footer(
       "Exit codes: 0 done, 1 internal error, 2 command line or scene, 3 output folder, 5 writing failed, 6 solver,\n"
-      "7 folder in use, 8 memory, 128 + signal stopped by SIGINT or SIGTERM.");
+      "7 folder in use, 8 memory, 9 members of a sweep failed, 75 a sweep was stopped: the same command goes on,\n"
+      "128 + signal a run was stopped by SIGINT or SIGTERM.");
 
   int code = 0;
   RunRequest request;
@@ -58,10 +85,20 @@ int act(int argc, const char* const* argv) {
   add_scene(*check_command, request);
   check_command->callback([&] { print(check_report(read_scene(request.scene_file, request.overrides))); });
 
+  SweepRequest sweep_request;
+  add_sweep(program, sweep_request, code);
+  std::filesystem::path sweep_folder;
+  std::size_t member = 0;
+  auto* member_command = program.add_subcommand("member", "run one member of a sweep's folder, for scripts");
+  member_command->add_option("folder", sweep_folder, "folder of the sweep")->required()->type_name("DIR");
+  member_command->add_option("number", member, "of the member, from 0")->required()->type_name("N");
+  member_command->callback([&] { code = run_member(sweep_folder, member, request.command); });
+
   std::string section;
   auto* explain_command = program.add_subcommand("explain", "describe the keys of a scene file");
-  explain_command->add_option("section", section, "one section only, for example grid");
-  explain_command->callback([&] { print(config::explain(scene_schema(), section)); });
+  explain_command->add_option("section", section,
+                              "one section only, for example grid; sweep, axis and sample are a sweep file's");
+  explain_command->callback([&] { print(explanation(section)); });
 
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
 

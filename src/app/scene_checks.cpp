@@ -1,10 +1,10 @@
 #include "app/scene_checks.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
+
+#include "config/name.hpp"
 
 namespace talus::app {
 namespace {
@@ -79,9 +79,7 @@ class CrossChecks {
   }
 
   void name(const std::string& name) {
-    const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_'; };
-    if (name.empty() || !std::ranges::all_of(name, fits))
-      refuse("scene.name", "expected letters, digits, - and _ only");
+    if (!config::is_plain_name(name)) refuse("scene.name", std::string("expected ") + config::plain_name);
   }
 
  private:

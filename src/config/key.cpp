@@ -46,9 +46,11 @@ struct ToToml {
   std::string operator()(std::int64_t i) const { return std::to_string(i); }
   std::string operator()(bool b) const { return b ? "true" : "false"; }
   std::string operator()(const std::string& s) const { return quoted(s); }
-  std::string operator()(const std::vector<double>& list) const {
+  std::string operator()(const Scalar& value) const { return std::visit(*this, value); }
+  template <class T>
+  std::string operator()(const std::vector<T>& list) const {
     std::string out = "[";
-    for (const double x : list) out += (out.size() > 1 ? ", " : "") + (*this)(x);
+    for (const T& item : list) out += (out.size() > 1 ? ", " : "") + (*this)(item);
     return out + "]";
   }
 };
@@ -119,6 +121,8 @@ std::string Key::expectation() const {
     case Type::text: return "a text in quotes";
     case Type::choice: return "one of " + joined(words);
     case Type::numbers: what = ascending ? "an ascending list of numbers" : "a list of numbers"; break;
+    case Type::texts: return "a list of texts in quotes";
+    case Type::scalars: return "a list of one or more values";
   }
   if (std::isfinite(range.low)) what += (range.low_open ? " above " : " of at least ") + shortest(range.low);
   if (std::isfinite(range.low) && std::isfinite(range.high)) what += " and";
@@ -136,10 +140,33 @@ std::optional<std::string> Key::complaint(const Value& value) const {
     const bool in_order = !ascending || std::ranges::adjacent_find(*list, std::greater_equal{}) == list->end();
     if (!in_order || !std::ranges::all_of(*list, fits)) return refused();
   }
+  if (const auto* list = std::get_if<std::vector<Scalar>>(&value); list != nullptr && list->empty()) return refused();
   if (const auto* word = std::get_if<std::string>(&value); word != nullptr && type == Type::choice) {
     if (std::ranges::find(words, *word) != words.end()) return std::nullopt;
     const auto meant = nearest(*word, words);
     return refused() + (meant ? " (did you mean " + *meant + "?)" : "");
+  }
+  return std::nullopt;
+}
+
+std::optional<Value> Key::converted(const Scalar& value) const {
+  const auto* integer = std::get_if<std::int64_t>(&value);
+  switch (type) {
+    case Type::number:
+      if (integer != nullptr) return static_cast<double>(*integer);
+      if (const auto* x = std::get_if<double>(&value)) return *x;
+      break;
+    case Type::integer:
+      if (integer != nullptr) return *integer;
+      break;
+    case Type::boolean:
+      if (const auto* b = std::get_if<bool>(&value)) return *b;
+      break;
+    case Type::text:
+    case Type::choice:
+      if (const auto* s = std::get_if<std::string>(&value)) return *s;
+      break;
+    default: break;
   }
   return std::nullopt;
 }
@@ -164,6 +191,14 @@ Key ascending_numbers(std::string name, std::string unit, std::string doc) {
   Key key = make(Type::numbers, std::move(name), std::move(unit), std::move(doc));
   key.ascending = true;
   return key;
+}
+
+Key texts(std::string name, std::string doc) { return make(Type::texts, std::move(name), "", std::move(doc)); }
+
+Key scalars(std::string name, std::string doc) { return make(Type::scalars, std::move(name), "", std::move(doc)); }
+
+Value value_of(const Scalar& scalar) {
+  return std::visit([](const auto& x) { return Value(x); }, scalar);
 }
 
 std::string to_toml(const Value& value) { return std::visit(ToToml{}, value); }

@@ -14,10 +14,13 @@ namespace talus::config {
 
 class Values;
 
-enum class Type : std::uint8_t { number, integer, boolean, text, choice, numbers };
+enum class Type : std::uint8_t { number, integer, boolean, text, choice, numbers, texts, scalars };
 
-/// The value of a key: number, integer, boolean, text (also a chosen word), list of numbers.
-using Value = std::variant<double, std::int64_t, bool, std::string, std::vector<double>>;
+/// A single value: number, integer, boolean, text (also a chosen word).
+using Scalar = std::variant<double, std::int64_t, bool, std::string>;
+/// The value of a key: a single one, or a list of numbers, of texts, or of any single values.
+using Value = std::variant<double, std::int64_t, bool, std::string, std::vector<double>, std::vector<std::string>,
+                           std::vector<Scalar>>;
 
 /// An interval; each end may be open. Infinite ends do not restrict.
 struct Range {
@@ -56,6 +59,8 @@ struct Key {
   [[nodiscard]] std::string expectation() const;
   /// What is wrong with a finite value of the right type, or nothing.
   [[nodiscard]] std::optional<std::string> complaint(const Value& value) const;
+  /// `value` as the key's type, or nothing. An integer passes for a number; nothing else is converted.
+  [[nodiscard]] std::optional<Value> converted(const Scalar& value) const;
 };
 
 Key number(std::string name, std::string unit, std::string doc);
@@ -65,8 +70,13 @@ Key text(std::string name, std::string doc);
 Key choice(std::string name, std::vector<std::string> words, std::string doc);
 /// A list of numbers, strictly ascending.
 Key ascending_numbers(std::string name, std::string unit, std::string doc);
+/// A list of texts.
+Key texts(std::string name, std::string doc);
+/// A list of one or more single values of any types; whoever knows which are right checks them.
+Key scalars(std::string name, std::string doc);
 
 /// A value as TOML source; doubles in the shortest form that reads back to the same bits.
 std::string to_toml(const Value& value);
+Value value_of(const Scalar& scalar);
 
 }  // namespace talus::config

@@ -37,7 +37,8 @@ std::string kind_of(const toml::node& node) {
 std::string found_instead(const Key& key, const toml::node& node) {
   if (const auto* x = node.as_floating_point(); x != nullptr && !std::isfinite(**x))
     return kind_of(node) + ", which is not finite";
-  if (key.type == Type::numbers && node.is_array()) return "a list that holds something else";
+  const bool list = key.type == Type::numbers || key.type == Type::texts || key.type == Type::scalars;
+  if (list && node.is_array()) return "a list that holds something else";
   return kind_of(node);
 }
 
@@ -58,41 +59,50 @@ std::vector<Item> in_file_order(const toml::table& table) {
   return items;
 }
 
-std::optional<double> finite_number(const toml::node& node) {
-  if (const auto* i = node.as_integer()) return static_cast<double>(**i);
+std::optional<Scalar> single(const toml::node& node) {
+  if (const auto* i = node.as_integer()) return **i;
   if (const auto* x = node.as_floating_point(); x != nullptr && std::isfinite(**x)) return **x;
+  if (const auto* b = node.as_boolean()) return **b;
+  if (const auto* s = node.as_string()) return **s;
   return std::nullopt;
 }
 
-/// The node as the key's type, or nothing. An integer passes for a number; nothing else is converted.
+/// An array's items, each as what `item` makes of a single value; nothing if that fails for any of them.
+template <class T, class Item>
+std::optional<Value> list_of(const toml::node& node, const Item& item) {
+  const auto* array = node.as_array();
+  if (array == nullptr) return std::nullopt;
+  std::vector<T> list;
+  for (const auto& each : *array) {
+    const auto value = single(each);
+    const std::optional<T> fitting = value ? item(*value) : std::nullopt;
+    if (!fitting) return std::nullopt;
+    list.push_back(*fitting);
+  }
+  return list;
+}
+
+std::optional<double> as_number(const Scalar& value) {
+  if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
+  const auto* x = std::get_if<double>(&value);
+  return x == nullptr ? std::nullopt : std::optional(*x);
+}
+
+std::optional<std::string> as_text(const Scalar& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text == nullptr ? std::nullopt : std::optional(*text);
+}
+
+/// The node as the key's type, or nothing.
 std::optional<Value> convert(const Key& key, const toml::node& node) {
   switch (key.type) {
-    case Type::number:
-      if (const auto x = finite_number(node)) return *x;
-      break;
-    case Type::integer:
-      if (const auto* i = node.as_integer()) return **i;
-      break;
-    case Type::boolean:
-      if (const auto* b = node.as_boolean()) return **b;
-      break;
-    case Type::text:
-    case Type::choice:
-      if (const auto* s = node.as_string()) return **s;
-      break;
-    case Type::numbers:
-      if (const auto* array = node.as_array()) {
-        std::vector<double> list;
-        for (const auto& item : *array) {
-          const auto x = finite_number(item);
-          if (!x) return std::nullopt;
-          list.push_back(*x);
-        }
-        return list;
-      }
-      break;
+    case Type::numbers: return list_of<double>(node, as_number);
+    case Type::texts: return list_of<std::string>(node, as_text);
+    case Type::scalars: return list_of<Scalar>(node, [](const Scalar& value) { return std::optional(value); });
+    default: break;
   }
-  return std::nullopt;
+  const auto value = single(node);
+  return value ? key.converted(*value) : std::nullopt;
 }
 
 class Reader {
@@ -144,13 +154,13 @@ class Reader {
 
   Values finish() {
     for (const auto& section : schema_.sections()) {
-      for (const auto& key : section.keys) {
-        if (values_.has(key.name) || refused_.contains(key.name)) continue;
-        if (key.value_if_absent) values_.set(key.name, *key.value_if_absent, "");
-        if (key.required) missing(key, section);
+      if (!section.repeated) complete(section);
+    }
+    if (problems_.none()) {
+      for (const auto& section : schema_.sections()) {
+        if (!section.repeated) require_conditional_keys(section);
       }
     }
-    if (problems_.none()) require_conditional_keys();
     problems_.throw_if_any();
     return std::move(values_);
   }
@@ -167,12 +177,42 @@ class Reader {
         problems_.add(at(name->source()), section,
                       node->is_table() ? "unknown section" + schema_.suggest_section(section)
                                        : "key outside a section" + schema_.suggest_key(section));
+      } else if (schema_.find_section(section)->repeated) {
+        walk_repeated(*schema_.find_section(section), *node, at(name->source()));
       } else if (const auto* table = node->as_table()) {
         section_place_[section] = at(name->source());
         walk_section(section, *table);
       } else {
         problems_.add(at(name->source()), section, "expected a section [" + section + "], found " + kind_of(*node));
       }
+    }
+  }
+
+  /// Each table has values of its own, complete in themselves.
+  void walk_repeated(const Section& section, const toml::node& node, const std::string& place) {
+    const auto* list = node.as_array();
+    if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
+      problems_.add(place, section.name,
+                    "expected [[" + section.name + "]], once for each, found " +
+                        (list == nullptr ? kind_of(node) : "a list that holds something else"));
+      return;
+    }
+    for (const auto& each : *list) {
+      Reader reader(schema_, file_);
+      reader.section_place_[section.name] = at(each.source());
+      reader.walk_section(section.name, *each.as_table());
+      reader.complete(section);
+      if (reader.problems_.none()) reader.require_conditional_keys(section);
+      problems_.add(reader.problems_);
+      values_.add_table(section.name, std::move(reader.values_));
+    }
+  }
+
+  void complete(const Section& section) {
+    for (const auto& key : section.keys) {
+      if (values_.has(key.name) || refused_.contains(key.name)) continue;
+      if (key.value_if_absent) values_.set(key.name, *key.value_if_absent, "");
+      if (key.required) missing(key, section);
     }
   }
 
@@ -210,11 +250,9 @@ class Reader {
                   "missing; expected " + key.expectation() + ": " + key.doc);
   }
 
-  void require_conditional_keys() {
-    for (const auto& section : schema_.sections()) {
-      for (const auto& key : section.keys) {
-        if (key.is_needed && !values_.has(key.name) && key.is_needed(values_)) missing(key, section);
-      }
+  void require_conditional_keys(const Section& section) {
+    for (const auto& key : section.keys) {
+      if (key.is_needed && !values_.has(key.name) && key.is_needed(values_)) missing(key, section);
     }
   }
 
@@ -241,7 +279,7 @@ Values read(const Schema& schema, const std::filesystem::path& file, const std::
   std::ifstream in(file);
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (std::filesystem::is_directory(file) || !in) {
-    throw core::ConfigError(file.string() + ": cannot be read as a scene file");
+    throw core::ConfigError(file.string() + ": cannot be read as a TOML file");
   }
   return read_text(schema, text, file.string(), overrides);
 }

@@ -20,8 +20,12 @@ std::string presence(const Key& key) {
 
 std::string local_name(std::string_view dotted) { return std::string(dotted.substr(dotted.find('.') + 1)); }
 
+std::string heading(const Section& section) {
+  return section.repeated ? "[[" + section.name + "]]" : "[" + section.name + "]";
+}
+
 std::string explain_section(const Section& section) {
-  std::string out = "[" + section.name + "]  " + section.doc + "\n";
+  std::string out = heading(section) + "  " + section.doc + "\n";
   for (const Key& key : section.keys) {
     out += "  " + local_name(key.name) + "\n      " + key.doc + "\n      " + key.expectation() + "; " + presence(key) +
            "\n";
@@ -34,6 +38,12 @@ std::string explain_section(const Section& section) {
 Schema& Schema::section(std::string name, std::string doc) {
   if (find_section(name) != nullptr) throw std::logic_error("schema: section " + name + " declared twice");
   sections_.push_back({std::move(name), std::move(doc), {}});
+  return *this;
+}
+
+Schema& Schema::repeated_section(std::string name, std::string doc) {
+  section(std::move(name), std::move(doc));
+  sections_.back().repeated = true;
   return *this;
 }
 

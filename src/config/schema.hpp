@@ -9,11 +9,12 @@
 
 namespace talus::config {
 
-/// A table of the scene file and its keys.
+/// A table of the file and its keys.
 struct Section {
   std::string name;
   std::string doc;
   std::vector<Key> keys;
+  bool repeated = false;  ///< stands any number of times, as [[name]]
 };
 
 /// Every key that a scene file may hold, in the order in which scenes are printed.
@@ -21,6 +22,8 @@ class Schema {
  public:
   /// Opens a section; the keys added next belong to it.
   Schema& section(std::string name, std::string doc);
+  /// Opens a section that may stand any number of times in the file, each time as [[name]].
+  Schema& repeated_section(std::string name, std::string doc);
   /// Throws std::logic_error outside a section, for a name already declared, or for a default that the key refuses.
   Schema& add(Key key);
 

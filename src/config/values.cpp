@@ -17,6 +17,14 @@ template const std::int64_t& Values::get<std::int64_t>(std::string_view) const;
 template const bool& Values::get<bool>(std::string_view) const;
 template const std::string& Values::get<std::string>(std::string_view) const;
 template const std::vector<double>& Values::get<std::vector<double>>(std::string_view) const;
+template const std::vector<std::string>& Values::get<std::vector<std::string>>(std::string_view) const;
+template const std::vector<Scalar>& Values::get<std::vector<Scalar>>(std::string_view) const;
+
+const std::vector<Values>& Values::tables(std::string_view section) const {
+  static const std::vector<Values> none;
+  const auto found = tables_.find(section);
+  return found == tables_.end() ? none : found->second;
+}
 
 std::string Values::place(std::string_view name) const {
   const auto found = entries_.find(name);
@@ -27,9 +35,12 @@ void Values::set(const std::string& name, Value value, std::string place) {
   entries_.insert_or_assign(name, Entry{std::move(value), std::move(place)});
 }
 
+void Values::add_table(const std::string& section, Values table) { tables_[section].push_back(std::move(table)); }
+
 std::string Values::to_toml() const {
   std::string out;
   for (const auto& section : schema_->sections()) {
+    if (section.repeated) continue;
     out += (out.empty() ? "[" : "\n[") + section.name + "]\n";
     for (const auto& key : section.keys) {
       const auto found = entries_.find(key.name);

@@ -28,11 +28,22 @@ class Values {
     return get<std::vector<double>>(name);
   }
 
+  [[nodiscard]] const std::vector<std::string>& texts(std::string_view name) const {
+    return get<std::vector<std::string>>(name);
+  }
+  [[nodiscard]] const std::vector<Scalar>& scalars(std::string_view name) const {
+    return get<std::vector<Scalar>>(name);
+  }
+  /// The tables of a repeated section as they stand in the file, each with its own values of the section's keys.
+  [[nodiscard]] const std::vector<Values>& tables(std::string_view section) const;
+
   /// Where the key was given: "scene.toml:12:1", "--set", or the file's name for a default.
   [[nodiscard]] std::string place(std::string_view name) const;
   /// Stores a value that its key accepts. An empty place marks a default.
   void set(const std::string& name, Value value, std::string place);
-  /// The scene with all defaults filled in, as TOML that reads back to the same values.
+  /// Stores the next table of a repeated section.
+  void add_table(const std::string& section, Values table);
+  /// The scene with all defaults filled in, as TOML that reads back to the same values; without repeated sections.
   [[nodiscard]] std::string to_toml() const;
 
  private:
@@ -46,6 +57,7 @@ class Values {
   const Schema* schema_;
   std::string file_;
   std::map<std::string, Entry, std::less<>> entries_;
+  std::map<std::string, std::vector<Values>, std::less<>> tables_;
 };
 
 }  // namespace talus::config

@@ -17,6 +17,7 @@ enum class ExitCode : std::uint8_t {
   solver = 6,
   locked = 7,
   memory = 8,
+  members_failed = 9,  ///< of a sweep
   restartable = 75
 };
 

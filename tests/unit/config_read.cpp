@@ -137,12 +137,57 @@ TEST(ConfigRead, OverridesPassTheSameChecks) {
   EXPECT_NE(refusal(good, {"box.gap=1\nother = 2"}), "accepted");
 }
 
+Schema with_repeats() {
+  Schema s;
+  s.section("scene", "");
+  s.add(texts("set", "").fallback(std::vector<std::string>{}));
+  s.repeated_section("axis", "what varies");
+  s.add(text("key", ""));
+  s.add(scalars("values", "").optional("count"));
+  s.add(integer("count", "").required_if("values is absent", [](const Values& v) { return !v.has("axis.values"); }));
+  s.add(number("from", "m", "").fallback(0.5));
+  return s;
+}
+
+TEST(ConfigRead, GivesEachTableOfARepeatedSectionItsOwnValues) {
+  const Schema repeats = with_repeats();
+  const Values v = read_text(
+      repeats,
+      "[scene]\nset = ['a=1']\n[[axis]]\nkey = 'a'\nvalues = [1, 2.5, true, 'b']\n[[axis]]\nkey = 'c'\ncount = 3\n",
+      "s.toml");
+  EXPECT_EQ(v.texts("scene.set"), std::vector<std::string>{"a=1"});
+  ASSERT_EQ(v.tables("axis").size(), 2U);
+  const Values &first = v.tables("axis")[0], &second = v.tables("axis")[1];
+  EXPECT_EQ(first.scalars("axis.values"), (std::vector<Scalar>{std::int64_t{1}, 2.5, true, std::string("b")}));
+  EXPECT_EQ(first.place("axis.values"), "s.toml:5:1");
+  EXPECT_EQ(first.number("axis.from"), 0.5);
+  EXPECT_FALSE(first.has("axis.count"));
+  EXPECT_EQ(second.text("axis.key"), "c");
+  EXPECT_EQ(second.integer("axis.count"), 3);
+  EXPECT_FALSE(v.has("axis.key"));
+  EXPECT_TRUE(read_text(repeats, "[scene]\n", "s.toml").tables("axis").empty());
+}
+
+TEST(ConfigRead, HoldsEachTableOfARepeatedSectionToItsSchema) {
+  const Schema repeats = with_repeats();
+  try {
+    (void)read_text(repeats, "[[axis]]\nkey = 3\ncount = 1\n[[axis]]\nkey = 'c'\nvaleus = [1]\n[[axis]]\n", "s.toml");
+    FAIL() << "accepted";
+  } catch (const talus::core::ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "s.toml:2:1: axis.key: expected a text in quotes, found the integer 3\n"
+                 "s.toml:6:1: axis.valeus: unknown key (did you mean axis.values?)\n"
+                 "s.toml:7:1: axis.key: missing; expected a text in quotes: ");
+  }
+  EXPECT_EQ(explain(repeats, "axis").substr(0, 8), "[[axis]]");
+}
+
 TEST(ConfigRead, NamesAFileThatCannotBeRead) {
   try {
     (void)read(schema, "/no/such/scene.toml");
     FAIL() << "accepted";
   } catch (const talus::core::ConfigError& error) {
-    EXPECT_STREQ(error.what(), "/no/such/scene.toml: cannot be read as a scene file");
+    EXPECT_STREQ(error.what(), "/no/such/scene.toml: cannot be read as a TOML file");
   }
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sweep/sweep_file.hpp"
+
+namespace talus::app {
+
+/// A sweep with the scenes of all its members, each checked.
+struct SweepPlan {
+  sweep::SweepFile file;
+  std::vector<std::string> scenes;  ///< effective scene of each member, as its run will write it
+};
+
+/// Reads a sweep file and makes the scene of every member. `overrides` hold for all members and win over the file's own
+/// settings. Throws core::ConfigError for a bad sweep file, or naming the members whose scene is refused, with their axis
+/// values.
+SweepPlan plan_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+}  // namespace talus::app
