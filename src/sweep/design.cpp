@@ -1,6 +1,13 @@
 #include "sweep/design.hpp"
 
+#include <algorithm>
+
 namespace talus::sweep {
+
+std::string netcdf_name(std::string key) {
+  std::ranges::replace(key, '.', '_');
+  return key;
+}
 
 std::string heading(const Axis& axis) { return axis.unit.empty() ? axis.key : axis.key + " [" + axis.unit + "]"; }
 

@@ -16,6 +16,8 @@ struct Axis {
   std::vector<config::Scalar> values;
 };
 
+/// "inflow_rate": a scene key as a netCDF name.
+std::string netcdf_name(std::string key);
 /// "inflow.rate [kg/s]", for the head of a column.
 std::string heading(const Axis& axis);
 /// A value for a table: texts without quotes, numbers in the shortest form that reads back to the same bits.

@@ -19,11 +19,6 @@ using config::Values;
 /// Names that a collected file gives to dimensions of its own.
 constexpr std::array<std::string_view, 4> reserved{"member", "sample", "record_time", "series_time"};
 
-std::string with_underscores(std::string name) {
-  std::ranges::replace(name, '.', '_');
-  return name;
-}
-
 /// Gathers axes into dimensions, in the order of the file.
 class Builder {
  public:
@@ -71,7 +66,7 @@ class Builder {
       sample_.push_back(axis);
     } else if (axis.zip.empty()) {
       check_distinct(axis);
-      const std::string name = with_underscores(axis.axis.key);
+      const std::string name = netcdf_name(axis.axis.key);
       if (zips_.contains(name))
         problems_.add(axis.table->place("axis.key"), "axis.key", "expected no other axes with zip = \"" + name + "\"");
       dimensions_.push_back({name, {axis.axis}});
