@@ -15,6 +15,8 @@ export OPENBLAS_NUM_THREADS := 1
 BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libnetcdf-dev \
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
 PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib ffmpeg
+TEST_PACKAGES := parallel shellcheck
+SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 
 .PHONY: help deps configure run test test-slow bench format check check-all clean
@@ -37,10 +39,12 @@ run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for
 	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
 
 test: configure ## build and run all tests but the slow ones
+	@.ci/deps $(TEST_PACKAGES)
 	@cmake --build $(RELEASE) -j $(JOBS)
 	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 600 --label-exclude slow --no-tests=error
 
 test-slow: configure ## the tests that need minutes: refinement studies of whole scenes
+	@.ci/deps $(SLOW_PACKAGES)
 	@cmake --build $(RELEASE) -j $(JOBS)
 	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 7200 --label-regex slow --no-tests=error
 

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "app/check.hpp"
+#include "app/collect.hpp"
 #include "app/exit_code.hpp"
 #include "app/list.hpp"
 #include "app/plot.hpp"
@@ -42,6 +44,10 @@ void add_scene(CLI::App& command, RunRequest& request) {
       ->allow_extra_args(false);
 }
 
+const std::map<std::string, sweep::Engine> engines{{"gnu-parallel", sweep::Engine::gnu_parallel},
+                                                   {"slurm", sweep::Engine::slurm},
+                                                   {"snakemake", sweep::Engine::snakemake}};
+
 void add_sweep(CLI::App& program, SweepRequest& request, int& code) {
   auto* command = program.add_subcommand("sweep", "run a scene over axes of its keys, many runs at a time");
   command->add_option("sweep", request.file, "sweep file (TOML); talus explain sweep")
@@ -56,7 +62,22 @@ void add_sweep(CLI::App& program, SweepRequest& request, int& code) {
       ->check(CLI::Range(1, 10000));
   command->add_flag("--force", request.force, "run members again whose scene has changed");
   command->add_flag("--dry-run", request.dry_run, "check all members and say what they are, run nothing");
+  command
+      ->add_option("--write", request.engine,
+                   "run nothing, write a script that does: gnu-parallel, slurm (job array) or snakemake")
+      ->type_name("ENGINE")
+      ->transform(CLI::CheckedTransformer(engines));
   command->callback([&] { code = sweep(request); });
+}
+
+void add_collect(CLI::App& program, std::filesystem::path& folder, std::vector<std::string>& series,
+                 const std::string& typed) {
+  auto* command = program.add_subcommand("collect", "gather a sweep's results into sweep.nc and sweep.csv");
+  command->add_option("folder", folder, "folder of the sweep")->required()->type_name("DIR");
+  command->add_option("--series", series, "the whole course of a number, by its name in run.nc; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->callback([&] { collect(folder, series, typed); });
 }
 
 int act(int argc, const char* const* argv) {
@@ -88,6 +109,8 @@ int act(int argc, const char* const* argv) {
   SweepRequest sweep_request;
   add_sweep(program, sweep_request, code);
   std::filesystem::path sweep_folder;
+  std::vector<std::string> series;
+  add_collect(program, sweep_folder, series, request.command);
   std::size_t member = 0;
   auto* member_command = program.add_subcommand("member", "run one member of a sweep's folder, for scripts");
   member_command->add_option("folder", sweep_folder, "folder of the sweep")->required()->type_name("DIR");

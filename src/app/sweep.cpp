@@ -89,6 +89,23 @@ ExitCode report(const Manifest& manifest, const SweepFolder& folder, std::size_t
   return n_left > 0 || n_failed > 0 ? ExitCode::restartable : ExitCode::ok;
 }
 
+std::string own_path() { return std::filesystem::canonical("/proc/self/exe").string(); }
+
+/// Puts the script in the folder, where marks of an earlier one would be wrong, and says how to start it.
+void write_script(sweep::Engine engine, const SweepFolder& folder, const Manifest& manifest) {
+  const auto script = script_for(engine, {manifest.name, manifest.members.size(), own_path(),
+                                          std::filesystem::absolute(folder.path()).lexically_normal().string()});
+  for (const char* mark : {"parallel.log", "done"}) std::filesystem::remove_all(folder.path() / mark);
+  const auto file = folder.path() / script.file;
+  output::write_atomically(file, script.text);
+  if (script.executable) {
+    using std::filesystem::perms;
+    permissions(file, perms::owner_exec | perms::group_exec | perms::others_exec, std::filesystem::perm_options::add);
+  }
+  std::printf("%s: %zu members prepared; to run them:\n%s\n", manifest.name.c_str(), manifest.members.size(),
+              script.start.c_str());
+}
+
 int jobs_of(const SweepRequest& request) {
   return request.jobs > 0 ? request.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
@@ -108,11 +125,14 @@ int sweep(const SweepRequest& request) {
                     states_in(folder, plan, request.force)};
   write_scenes(folder, plan);
   write_manifest(folder.path(), manifest);
+  if (request.engine) {
+    write_script(*request.engine, folder, manifest);
+    return 0;
+  }
   const auto n_before = static_cast<std::size_t>(std::ranges::count_if(
       manifest.members, [](const auto& state) { return sweep::next_action(state) == sweep::Action::skip; }));
   SweepProgress progress(manifest.design, n_before, stderr);
-  const int signal = run_members(manifest, folder, plan.scenes,
-                                 {jobs_of(request), std::filesystem::canonical("/proc/self/exe").string()}, progress);
+  const int signal = run_members(manifest, folder, plan.scenes, {jobs_of(request), own_path()}, progress);
   progress.finish();
   return static_cast<int>(report(manifest, folder, n_before, signal != 0));
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sweep/engines.hpp"
+
 namespace talus::app {
 
 struct SweepRequest {
@@ -14,6 +16,7 @@ struct SweepRequest {
   int jobs = 0;                              ///< members at a time; 0: one on each core
   bool force = false;                        ///< run members again whose scene has changed
   bool dry_run = false;                      ///< check and describe, run nothing
+  std::optional<sweep::Engine> engine;       ///< write a script for it, run nothing
 };
 
 /// Runs the members of a sweep that are not finished, each as a process of `talus run`. Returns the program's exit code:

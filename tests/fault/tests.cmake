@@ -4,6 +4,4 @@ target_compile_definitions(test_bad_scene PRIVATE TALUS_PROGRAM="$<TARGET_FILE:t
 talus_test(fault run_folder LIBRARIES nlohmann_json::nlohmann_json)
 add_dependencies(test_run_folder talus)
 target_compile_definitions(test_run_folder PRIVATE TALUS_PROGRAM="$<TARGET_FILE:talus>")
-talus_test(fault sweep ROOMS output LIBRARIES nlohmann_json::nlohmann_json)
-add_dependencies(test_sweep talus)
-target_compile_definitions(test_sweep PRIVATE TALUS_PROGRAM="$<TARGET_FILE:talus>")
+talus_test(fault sweep PROGRAM ROOMS output LIBRARIES nlohmann_json::nlohmann_json)
