@@ -8,7 +8,7 @@ namespace talus::kinsol {
 bool Continuation::run(double t, std::span<double> y) {
   const auto& limits = options_.continuation;
   std::vector<double> from(y.begin(), y.end());
-  double step = limits.first_step, growth = limits.growth;
+  double step = limits.first_step, growth = limits.growth, last_change = 0.0;
   const auto failed = [&](const char* how) {
     std::ostringstream text;
     text << how << ", with the last of " << step << " s: " << newton_.why();
@@ -27,8 +27,10 @@ bool Continuation::run(double t, std::span<double> y) {
     ++statistics_.restarts;
     statistics_.last_step = step;
     const double change = newton_.relative_change(from, y);
+    const bool settled = change < limits.settled_below && change < last_change;
+    last_change = change;
     std::copy(y.begin(), y.end(), from.begin());
-    if (change < limits.settled_below) {
+    if (settled) {
       if (newton_.solve({t}, y, limits.max_iterations)) return true;
       std::copy(from.begin(), from.end(), y.begin());
     }

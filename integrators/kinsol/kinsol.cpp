@@ -11,6 +11,7 @@
 #include "bridge/failure.hpp"
 #include "core/errors.hpp"
 #include "kinsol/continuation.hpp"
+#include "kinsol/held_system.hpp"
 
 namespace talus::kinsol {
 namespace {
@@ -36,11 +37,19 @@ const Options& checked(const Options& options) {
 struct Kinsol::Parts {
   Parts(const core::DaeSystem& system, const Options& wanted)
       : options(checked(wanted)),
-        equations(system, options.linear, statistics),
+        held(system),
+        equations(held, options.linear, statistics),
         newton(equations, options, statistics),
         continuation(newton, options, statistics),
         y(equations.size()),
         yp(equations.size(), 0.0) {}
+
+  /// A guess that is not admissible fails in the solve that follows, which says why.
+  void hold(double at) {
+    try {
+      held.hold(at, y);
+    } catch (const core::InadmissibleState&) { held.release(); }
+  }
 
   [[noreturn]] void fail(double at, const std::string& why, std::span<const double> state) {
     const auto size = newton.scaled_residual({at}, state);
@@ -54,6 +63,7 @@ struct Kinsol::Parts {
 
   Options options;
   core::Statistics statistics;
+  HeldSystem held;
   bridge::Equations equations;
   Newton newton;
   Continuation continuation;
@@ -82,6 +92,7 @@ bool Kinsol::advance(double t_out, core::Observer& observer) {
   if (!p.started) throw std::logic_error("Kinsol::advance before start");
   require(t_out >= p.t, "Kinsol::advance: cannot go back in time");
   std::vector<double> y = p.y;
+  p.hold(t_out);
   if (!p.newton.solve({t_out}, y, p.options.max_iterations)) {
     const std::string why = p.newton.why();
     if (!p.options.continuation.allowed) p.fail(t_out, why, y);
@@ -107,6 +118,7 @@ std::string Kinsol::describe() const {
   std::ostringstream line;
   line << "SUNDIALS KINSOL " << version.data() << ", Newton with line search";
   if (p.options.continuation.allowed) line << ", pseudo-transient continuation (" << p.statistics.restarts << " steps)";
+  if (p.held.n_held() > 0) line << ", " << p.held.n_held() << " accumulators held";
   line << ", rtol " << p.options.rtol << "; " << p.equations.solver().describe();
   return line.str();
 }

@@ -21,7 +21,10 @@ void must(int flag, const char* call) {
   if (flag != KIN_SUCCESS) throw std::runtime_error(std::string(call) + " failed with flag " + std::to_string(flag));
 }
 
+/// KINSOL 6.4.1 does not know the names of all its flags.
 std::string flag_name(int flag) {
+  if (flag == KIN_REPTD_SYSFUNC_ERR) return "KIN_REPTD_SYSFUNC_ERR";
+  if (flag == KIN_FIRST_SYSFUNC_ERR) return "KIN_FIRST_SYSFUNC_ERR";
   char* name = KINGetReturnFlagName(flag);
   std::string copy(name);
   std::free(name);

@@ -11,7 +11,7 @@ struct ContinuationOptions {
   double growth = 10.0;        ///< of the step, after each that converged at once
   double least_step = 1e-12;   ///< [s]; a step that must be cut below ends the search
   double settled_below = 0.1;  ///< relative change in a step below which the steady state is tried
-  int max_steps = 100;         ///< accepted and failed together
+  int max_steps = 300;         ///< accepted and failed together
   int max_iterations = 30;     ///< of Newton's method, in one step
 };
 

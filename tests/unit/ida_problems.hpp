@@ -16,7 +16,8 @@ namespace talus::test {
 /// A DaeSystem of N unknowns from a scalar-generic `Model`:
 ///   static constexpr int n; std::array<core::Kind, n> kinds; std::array<double, n> tolerances, y_0, yp_0;
 ///   template <class S> std::array<S, n> residual(double t, const std::array<S, n>& y, const std::array<S, n>& yp)
-///   const; Each unknown is a field of its own. The Jacobian is dense and exact.
+///   const; Each unknown is a field of its own. The Jacobian is exact; its pattern is full, or what a
+///   static bool couples(int row, int column) of the model says.
 template <class Model>
 class SmallDae final : public core::DaeSystem {
  public:
@@ -28,7 +29,9 @@ class SmallDae final : public core::DaeSystem {
     for (int i = 0; i < n; ++i) {
       layout_.fields.push_back({"y" + std::to_string(i), "1", model.kinds[i], model.tolerances[i]});
       layout_.field_of.push_back(static_cast<std::uint8_t>(i));
-      for (int j = 0; j < n; ++j) entries.emplace_back(i, j);
+      for (int j = 0; j < n; ++j) {
+        if (couples(i, j)) entries.emplace_back(i, j);
+      }
     }
     pattern_ = core::SparsePattern(n, entries);
   }
@@ -56,7 +59,9 @@ class SmallDae final : public core::DaeSystem {
     }
     const auto f = model.residual(t, a, b);
     for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) values[j * n + i] = f[i].slope[j];
+      for (int i = 0; i < n; ++i) {
+        if (couples(i, j)) values[pattern_.find(i, j)] = f[i].slope[j];
+      }
     }
   }
   [[nodiscard]] std::string describe(core::Index row) const override {
@@ -67,6 +72,11 @@ class SmallDae final : public core::DaeSystem {
   Model model;
 
  private:
+  static bool couples(int row, int column) {
+    if constexpr (requires { Model::couples(row, column); }) return Model::couples(row, column);
+    else return true;
+  }
+
   core::Layout layout_;
   core::SparsePattern pattern_;
   std::vector<double> breakpoints_;

@@ -230,6 +230,44 @@ TEST(Kinsol, TimeSteppingEndsInTheSameState) {
   EXPECT_LT(20 * found.statistics.residuals, stepping.current().statistics.residuals);
 }
 
+/// u' = q - u^3, and what was poured in and went out.
+struct Tank {
+  static constexpr int n = 3;
+  static bool couples(int row, int column) { return row == column || (row == 2 && column == 0); }
+  std::array<core::Kind, n> kinds = {differential, differential, differential};
+  std::array<double, n> tolerances = {1e-6, 1e-6, 1e-6}, y_0 = {0.0, 7.0, 5.0}, yp_0 = {};
+  template <class S>
+  std::array<S, n> residual(double, const std::array<S, n>& y, const std::array<S, n>& yp) const {
+    const S out = y[0] * y[0] * y[0];
+    return {yp[0] + out - 8.0, yp[1] - 8.0, yp[2] - out};
+  }
+};
+
+TEST(Kinsol, AccumulatorsAreHeld) {
+  const SmallDae<Tank> system;
+  kinsol::Kinsol integrator(system);
+  core::Observer observer;
+  integrator.start(0.0, system.model.y_0, system.model.yp_0);
+  integrator.advance(0.0, observer);
+  EXPECT_NEAR(integrator.current().y[0], 2.0, 1e-10);
+  EXPECT_EQ(integrator.current().y[1], 7.0);
+  EXPECT_EQ(integrator.current().y[2], 5.0);
+  EXPECT_NE(integrator.describe().find("2 accumulators held"), std::string::npos);
+}
+
+/// y' = 1 - y^3: its only column stands alone, and at the guess it is zero.
+struct Flat {
+  static constexpr int n = 1;
+  std::array<core::Kind, n> kinds = {differential};
+  std::array<double, n> tolerances = {1e-6}, y_0 = {}, yp_0 = {};
+  template <class S>
+  std::array<S, n> residual(double, const std::array<S, n>& y, const std::array<S, n>& yp) const {
+    return {yp[0] + y[0] * y[0] * y[0] - 1.0};
+  }
+};
+
+TEST(Kinsol, ASlopeThatVanishesAtTheGuessMakesNoAccumulator) { EXPECT_NEAR(steady(SmallDae<Flat>()).y[0], 1.0, 1e-10); }
+
 TEST(Kinsol, DescribesItself) {
   const SmallDae<Tied> system;
   EXPECT_NE(kinsol::Kinsol(system).describe().find("SUNDIALS KINSOL "), std::string::npos);
