@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
+
+#include "experiment/piecewise_linear.hpp"
 
 namespace talus::experiment {
 
@@ -15,6 +18,25 @@ struct Box {
   bool left_open = true;    ///< not periodic: grains may leave over the left end; else a wall
   double base_slope = 0.0;  ///< db/dx of the base against the grid's x axis [1]; the column lines stay normal to x
 };
+
+/// Slope of the base against the horizontal, positive down to the right [rad].
+inline double base_angle(const Box& box) { return box.tilt - std::atan(box.base_slope); }
+
+/// Thickness normal to the base of a uniform layer that measures H [m] normal to x.
+inline double normal_thickness(const Box& box, double H) { return H * std::cos(std::atan(box.base_slope)); }
+
+/// How the box is moved while grains flow, over time [s]. Empty: it stands still.
+struct Motion {
+  PiecewiseLinear tilt;  ///< of the base, as Box::tilt [rad]
+  PiecewiseLinear gap;   ///< W [m]
+};
+
+/// The box at time t [s].
+inline Box box_at(Box box, const Motion& motion, double t) {
+  box.tilt = value_at(motion.tilt, t, box.tilt);
+  box.gap = value_at(motion.gap, t, box.gap);
+  return box;
+}
 
 /// Grains poured from the inlet: a column source of mass, smooth in time.
 struct Inflow {

@@ -24,7 +24,7 @@ double corner_inertial_number(const Layer& layer, const Context& c, std::span<co
   const Heights<double, CornerSlots::n_in> g(c, f - 2, inputs, CornerSlots::H_);
   const auto strain = corner_strain(g, k, layer.columns().dx(), inputs.y);
   const auto& reg = layer.parameters().regularisation;
-  const double floor = std::hypot(reg.rate_floor, reg.rate_speed / (0.5 * (g.H(1) + g.H(2))));
+  const double floor = rheology::rate_floor(reg, 0.5 * (g.H(1) + g.H(2)));
   return rheology::inertial_number(layer.parameters().grains, reg,
                                    strain.D_xx * strain.D_xx + strain.D_xz * strain.D_xz, floor,
                                    corner_pressure(g, k, inputs.y));
@@ -55,7 +55,7 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   const auto strain = centre_strain(g, k, layer.columns().n_layers, layer.columns().dx(), v);
   const double D_squared = strain.D_xx * strain.D_xx + strain.D_xz * strain.D_xz;
   const auto& reg = par.regularisation;
-  const double floor = std::hypot(reg.rate_floor, reg.rate_speed / g.H(2));
+  const double floor = rheology::rate_floor(reg, g.H(2));
 
   CellState s{};
   s.u = 0.5 * (v[1] + v[4]);
@@ -68,10 +68,7 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   s.C = rheology::condition_C(response);
   s.q = response.q;
   s.eta = rheology::viscosity(par.law, par.grains, reg, D_squared, floor, s.p);
-  auto uncapped = reg;
-  uncapped.cap = rheology::Cap::none;
-  s.capped = reg.cap != rheology::Cap::none &&
-             s.eta < 0.5 * rheology::viscosity(par.law, par.grains, uncapped, D_squared, floor, s.p);
+  s.capped = rheology::is_capped(par.law, par.grains, reg, D_squared, floor, s.p);
   return s;
 }
 

@@ -78,7 +78,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at)
 Layer::Layer(Parameters parameters)
     : parameters_(std::move(parameters)),
       columns_{parameters_.grid.columns, parameters_.grid.layers, parameters_.box.length, parameters_.box.periodic},
-      layering_(parameters_.grid.layers, parameters_.grid.cluster_depth),
+      layering_(parameters_.grid.layers, parameters_.grid.cluster_depth, parameters_.grid.spacing),
       unknowns_(columns_, !parameters_.box.left_open, budgets_of(parameters_)),
       layout_(make_layout(parameters_, columns_, unknowns_)) {
   if (columns_.n_columns < 1 || columns_.n_layers < 2)

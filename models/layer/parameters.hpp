@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "grid/layering.hpp"
 #include "rheology/law.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -10,11 +11,12 @@ using experiment::Box;
 using experiment::Inflow;
 using experiment::Wall;
 
-/// Cells: uniform columns; layers clustered under the surface by depth D(s) = H0 ((1 + H/H0)^s - 1).
+/// Cells: uniform columns; layers as grid::Layering.
 struct Grid {
   int columns;
   int layers;
-  double cluster_depth;  ///< H0 [m]: layers are uniform where the heap is much thinner, geometric where much deeper
+  double cluster_depth;  ///< H0 of grid::Layering [m]
+  grid::Spacing spacing = grid::Spacing::clustered;
 };
 
 enum class Advection { none, upwind, central };

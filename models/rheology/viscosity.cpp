@@ -17,4 +17,13 @@ void check(const Regularisation& reg) {
   else checks::above(0.0, "regularisation", "eta_max", reg.eta_max);
 }
 
+bool is_capped(const Law& law, const Grains& grains, const Regularisation& reg, double D_norm_squared, double floor,
+               double p) {
+  if (reg.cap == Cap::none) return false;
+  auto uncapped = reg;
+  uncapped.cap = Cap::none;
+  return viscosity(law, grains, reg, D_norm_squared, floor, p) <
+         0.5 * viscosity(law, grains, uncapped, D_norm_squared, floor, p);
+}
+
 }  // namespace talus::rheology

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "core/scalar.hpp"
@@ -26,6 +27,11 @@ struct Regularisation {
 
 /// Throws std::invalid_argument naming the parameter: all finite and >= 0, eta_max > 0 and finite where it caps.
 void check(const Regularisation& reg);
+
+/// The floor under D_norm [1/s] in a layer of thickness H [m], both floors together.
+[[nodiscard]] inline double rate_floor(const Regularisation& reg, double H) {
+  return std::hypot(reg.rate_floor, reg.rate_speed / H);
+}
 
 /// p_+ [Pa].
 template <class S>
@@ -74,5 +80,9 @@ S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, con
   }
   return eta;
 }
+
+/// Whether the cap takes away more than half of eta; arguments as `viscosity`.
+[[nodiscard]] bool is_capped(const Law& law, const Grains& grains, const Regularisation& reg, double D_norm_squared,
+                             double floor, double p);
 
 }  // namespace talus::rheology

@@ -30,7 +30,7 @@ ProfileProblem::ProfileProblem(const RegularisedLayer& layer, double zeta, int c
   h0_ = std::min(H, flowing);
   a_ = std::asinh(std::sqrt(H / h0_));
   weight_ = channel.grains.rho() * channel.gravity * std::sin(zeta);
-  floor_ = std::hypot(regularisation.rate_floor, regularisation.rate_speed / H);
+  floor_ = rheology::rate_floor(regularisation, H);
   const auto depth_at = [&](double i) {
     const double y = std::sinh(a_ * i / cells);
     return h0_ * y * y;

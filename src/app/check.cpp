@@ -26,9 +26,12 @@ std::string size_of(const Scene& scene) {
   const auto n = static_cast<long long>(simulation.system->layout().size());
   const auto n_nonzeros = static_cast<long long>(simulation.system->pattern().n_nonzeros());
   std::string out = line("model      %s: %s", scene.model.c_str(), model(scene.model).doc.c_str());
-  out += line("grid       %d columns x %d layers = %lld cells; a column is %.3g mm wide", scene.grid.columns,
-              scene.grid.layers, static_cast<long long>(scene.grid.columns) * scene.grid.layers,
-              1e3 * scene.box.length / scene.grid.columns);
+  const auto& cells = scene.cells;
+  out += model(scene.model).has_columns
+             ? line("grid       %d columns x %d layers = %lld cells; a column is %.3g mm wide", cells.columns,
+                    cells.layers, static_cast<long long>(cells.columns) * cells.layers,
+                    1e3 * scene.box.length / cells.columns)
+             : line("grid       %d layers", cells.layers);
   out += line("size       %lld unknowns, %lld non-zeros of the Jacobian", n, n_nonzeros);
   out += line("memory     about %.0f MB", expected_memory(simulation.system->pattern()) / 1e6);
   out += line("output     %zu records of fields, %zu of series", scene.recording.field_times.size(),

@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "layer/fields.hpp"
-#include "layer/layer.hpp"
+#include "app/column_model.hpp"
+#include "app/layer_model.hpp"
 
 namespace talus::app {
-namespace {
-
-Simulation build_layer(const Scene& scene) {
-  auto system = std::make_unique<layer::Layer>(make_layer_parameters(scene));
-  auto fields = std::make_unique<layer::LayerFields>(*system);
-  return {std::move(system), std::move(fields)};
-}
-
-}  // namespace
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{
-      {"layer", "a layer of grains under a moving surface H(x, t), in two dimensions, without air", build_layer}};
+  static const std::vector<Model> all{column_model(), layer_model()};
   return all;
 }
 

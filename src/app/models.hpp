@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene.hpp"
+#include "config/problems.hpp"
 #include "core/dae_system.hpp"
 #include "core/field_source.hpp"
 
@@ -19,7 +20,10 @@ struct Simulation {
 /// One rung of the ladder that a scene can ask for.
 struct Model {
   std::string name;
-  std::string doc;  ///< one line
+  std::string doc;   ///< one line
+  bool has_columns;  ///< needs `grid.columns`
+  /// Adds to `problems` what of the scene this model cannot represent. The scene need not have its recording yet.
+  void (*check)(const Scene& scene, const config::Values& values, config::Problems& problems);
   Simulation (*build)(const Scene& scene);
 };
 

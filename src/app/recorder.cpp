@@ -9,16 +9,18 @@
 namespace talus::app {
 namespace {
 
-output::Attributes attributes_of(const Scene& scene, const std::string& command) {
+output::Attributes attributes_of(const Scene& scene, const Theory& theory, const std::string& command) {
   auto libraries = library_versions();
   std::erase(libraries, output::netcdf_version());  // the provenance adds it
   auto attributes = output::provenance_attributes({scene.effective, command, libraries});
   attributes["title"] = scene.title.empty() ? scene.name : scene.title;
   attributes["scene_name"] = scene.name;
+  attributes["model"] = scene.model;
   attributes["box_tilt_deg"] = scene.box.tilt * 180.0 / std::numbers::pi;
   attributes["film_m"] = scene.numerics.film;
   attributes["inflow_rate_kg_s"] = scene.inflow.rate;
   attributes["wall_friction"] = scene.wall.mu_w;
+  if (theory.steady) attributes["exact_mass_flow_kg_s"] = theory.steady->flow.flux();
   if (!scene.description.empty()) attributes["comment"] = scene.description;
   return attributes;
 }
@@ -36,7 +38,7 @@ Recorder::Recorder(const Scene& scene, const Theory& theory, core::FieldSource& 
       numbers_(model_, Selection::numbers),
       lines_(model_, Selection::series),
       series_({lines_, statistics_}),
-      file_(folder.data(), fields_and_exact_, attributes_of(scene, command)),
+      file_(folder.data(), fields_and_exact_, attributes_of(scene, theory, command)),
       series_stream_(file_.add_stream("series_time", series_)) {}
 
 void Recorder::at_output(const core::Snapshot& snapshot) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/material.hpp"
+#include "app/models.hpp"
 #include "app/scene_checks.hpp"
 #include "app/words.hpp"
 #include "config/problems.hpp"
@@ -52,15 +53,44 @@ experiment::Inflow inflow_of(const Values& v) {
   return inflow;
 }
 
+constexpr double degree = std::numbers::pi / 180.0;
+
 experiment::Box box_of(const Values& v) {
   return {.length = v.number("box.length"),
           .height = v.number("box.height"),
-          .tilt = v.number("box.tilt") * std::numbers::pi / 180.0,
+          .tilt = v.number("box.tilt") * degree,
           .gap = v.number("box.gap"),
           .gravity = v.number("box.gravity"),
           .periodic = v.boolean("box.periodic"),
           .left_open = words::meaning(words::left_ends, v.text("box.left")),
           .base_slope = v.number("box.base_slope")};
+}
+
+/// `values` over `points`; empty where either is not given.
+experiment::PiecewiseLinear given_at(const Values& v, std::string_view points, std::string_view values, double unit) {
+  if (!v.has(points) || !v.has(values)) return {};
+  experiment::PiecewiseLinear f{v.numbers(points), v.numbers(values)};
+  for (double& value : f.values) value *= unit;
+  return f;
+}
+
+experiment::Motion motion_of(const Values& v) {
+  return {.tilt = given_at(v, "schedule.times", "schedule.tilt", degree),
+          .gap = given_at(v, "schedule.times", "schedule.gap", 1.0)};
+}
+
+Initial initial_of(const Values& v, const Scene& scene) {
+  return {.thickness = number_or(v, "model.initial_thickness", scene.numerics.film),
+          .state = words::meaning(words::initial_states, v.text("initial.state")),
+          .profile = given_at(v, "initial.depths", "initial.speeds", 1.0),
+          .tilt = v.has("initial.tilt") ? v.number("initial.tilt") * degree : scene.box.tilt};
+}
+
+Cells cells_of(const Values& v) {
+  return {.columns = v.has("grid.columns") ? small_integer(v, "grid.columns") : 0,
+          .layers = small_integer(v, "grid.layers"),
+          .spacing = words::meaning(words::spacings, v.text("grid.spacing")),
+          .cluster_depth = v.number("grid.cluster_depth")};
 }
 
 rheology::Regularisation regularisation_of(const Values& v) {
@@ -107,20 +137,22 @@ Scene scene_of(const Values& v) {
   scene.title = v.text("scene.title");
   scene.description = v.text("scene.description");
   scene.box = box_of(v);
+  scene.motion = motion_of(v);
   scene.grains = {v.number("grains.rho_star"), v.number("grains.Phi"), v.number("grains.d")};
   scene.regularisation = regularisation_of(v);
   scene.wall = {v.number("wall.mu_w"), v.number("wall.u_c")};
   scene.inflow = inflow_of(v);
   scene.model = v.text("model.name");
   scene.numerics = numerics_of(v);
-  scene.initial_thickness = number_or(v, "model.initial_thickness", scene.numerics.film);
-  scene.grid = {small_integer(v, "grid.columns"), small_integer(v, "grid.layers"), v.number("grid.cluster_depth")};
+  scene.initial = initial_of(v, scene);
+  scene.cells = cells_of(v);
   scene.integration = integration_of(v);
   scene.end = v.number("time.end");
   Problems problems;
   check_together(scene, v, problems);
   try {
     scene.law = law_of(v);
+    model(scene.model).check(scene, v, problems);
   } catch (const std::invalid_argument& error) { problems.add(v.place("rheology.law"), "rheology.law", error.what()); }
   problems.throw_if_any();
   scene.recording = recording_of(v, scene.end);
@@ -136,21 +168,6 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 
 Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides) {
   return scene_of(config::read_text(scene_schema(), toml, name, overrides));
-}
-
-layer::Parameters make_layer_parameters(const Scene& scene) {
-  return {.box = scene.box,
-          .grains = scene.grains,
-          .law = scene.law,
-          .regularisation = scene.regularisation,
-          .wall = scene.wall,
-          .inflow = scene.inflow,
-          .grid = scene.grid,
-          .numerics = scene.numerics,
-          .initial = {scene.initial_thickness},
-          .atol_velocity = scene.integration.atol_velocity,
-          .atol_pressure = scene.integration.atol_pressure,
-          .atol_height = scene.integration.atol_height};
 }
 
 ida::Options make_integrator_options(const Scene& scene) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "config/values.hpp"
 #include "experiment/experiment.hpp"
+#include "grid/layering.hpp"
 #include "ida/options.hpp"
 #include "layer/parameters.hpp"
 #include "linear/direct_solver.hpp"
@@ -24,6 +26,23 @@ struct Integration {
   double max_step;  ///< [s]; 0: no limit
 };
 
+/// Cells of a model's grid, as far as it has such.
+struct Cells {
+  int columns;  ///< 0: not given
+  int layers;
+  grid::Spacing spacing;
+  double cluster_depth;  ///< [m]
+};
+
+/// How the grains lie and move at the start.
+struct Initial {
+  enum class State : std::uint8_t { rest, profile, steady };
+  double thickness;  ///< [m], everywhere
+  State state;
+  experiment::PiecewiseLinear profile;  ///< of State::profile: speed down the slope [m/s] over depth [m]
+  double tilt;                          ///< of State::steady: the box's tilt to which that state belongs [rad]
+};
+
 /// When results are recorded; every record is exactly at its time [s].
 struct Recording {
   bool fields;                       ///< two-dimensional variables are recorded
@@ -37,7 +56,8 @@ struct Scene {
   std::string name;
   std::string title;
   std::string description;
-  experiment::Box box;
+  experiment::Box box;  ///< at t = 0
+  experiment::Motion motion;
   rheology::Grains grains;
   rheology::Law law;
   rheology::Regularisation regularisation;
@@ -45,8 +65,8 @@ struct Scene {
   experiment::Inflow inflow;
   std::string model;
   layer::Numerics numerics;
-  double initial_thickness;  ///< [m]
-  layer::Grid grid;
+  Initial initial;
+  Cells cells;
   Integration integration;
   double end;  ///< [s]
   Recording recording;
@@ -61,7 +81,6 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 /// As `read_scene`, from text; `name` stands for the file in messages.
 Scene read_scene_text(std::string_view toml, const std::string& name, const std::vector<std::string>& overrides = {});
 
-layer::Parameters make_layer_parameters(const Scene& scene);
 ida::Options make_integrator_options(const Scene& scene);
 
 }  // namespace talus::app

@@ -1,9 +1,10 @@
 #include "app/scene_checks.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <numbers>
 
+#include "app/words.hpp"
 #include "config/name.hpp"
 
 namespace talus::app {
@@ -18,20 +19,12 @@ double landing(const Scene& scene) {
   return scene.inflow.position + drift * scene.box.height;
 }
 
-std::string in_metres(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g m", x);
-  return text.data();
-}
+using words::in_metres;
 
 /// What no single key can tell.
 class CrossChecks {
  public:
   CrossChecks(const Values& v, Problems& problems) : v_(v), problems_(problems) {}
-
-  void flux(const Scene& scene) {
-    if (!(scene.numerics.jump_to > scene.numerics.jump_from)) refuse("model.jump_to", "expected above model.jump_from");
-  }
 
   void viscosity(const Scene& scene) {
     const auto& reg = scene.regularisation;
@@ -56,12 +49,24 @@ class CrossChecks {
     if (scene.inflow.stop <= scene.inflow.start) refuse("inflow.stop", "expected a time after inflow.start [s]");
   }
 
-  void heights(const Scene& scene) {
-    const double film = scene.numerics.film, H = scene.initial_thickness;
-    if (H < film) refuse("model.initial_thickness", "expected at least model.film = " + in_metres(film));
-    if (H >= scene.box.height)
+  void start(const Scene& scene) {
+    const double H = scene.initial.thickness;
+    if (v_.has("model.initial_thickness") && H >= scene.box.height)
       refuse("model.initial_thickness", "expected below box.height = " + in_metres(scene.box.height));
-    if (film >= scene.box.height) refuse("model.film", "expected below box.height = " + in_metres(scene.box.height));
+    as_many("initial.speeds", "initial.depths");
+    const auto& depths = scene.initial.profile.at;
+    if (!depths.empty() && depths.back() > H)
+      refuse("initial.depths", "expected depths within the layer, up to " + in_metres(H));
+  }
+
+  void schedule(const Scene& scene) {
+    if (v_.has("schedule.times") && v_.numbers("schedule.times").empty())
+      refuse("schedule.times", "expected at least one time [s]");
+    if (!as_many("schedule.tilt", "schedule.times") || !as_many("schedule.gap", "schedule.times")) return;
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    const auto at_start = experiment::box_at(scene.box, scene.motion, 0.0);
+    agree("box.tilt", v_.number("box.tilt"), at_start.tilt * degrees, "schedule.tilt", "degree");
+    agree("box.gap", v_.number("box.gap"), at_start.gap, "schedule.gap", "m");
   }
 
   void times(const Scene& scene) {
@@ -83,6 +88,19 @@ class CrossChecks {
   }
 
  private:
+  /// Whether two lists, where both are given, are of the same length.
+  bool as_many(const char* values, const char* points) {
+    if (!v_.has(values) || !v_.has(points) || v_.numbers(values).size() == v_.numbers(points).size()) return true;
+    refuse(values,
+           "expected as many numbers as " + std::string(points) + " has, " + std::to_string(v_.numbers(points).size()));
+    return false;
+  }
+  /// The box as stated is the box at t = 0.
+  void agree(const char* key, double stated, double scheduled, const char* schedule, const char* unit) {
+    if (std::abs(stated - scheduled) > 1e-9 * std::max(std::abs(stated), std::abs(scheduled)))
+      refuse(key,
+             "expected what " + std::string(schedule) + " says of t = 0, " + config::to_toml(scheduled) + " " + unit);
+  }
   void refuse(const std::string& key, const std::string& what) { problems_.add(v_.place(key), key, what); }
   const Values& v_;
   Problems& problems_;
@@ -93,10 +111,10 @@ class CrossChecks {
 void check_together(const Scene& scene, const Values& values, Problems& problems) {
   CrossChecks check(values, problems);
   check.name(scene.name);
-  check.flux(scene);
   check.viscosity(scene);
   check.inflow(scene);
-  check.heights(scene);
+  check.start(scene);
+  check.schedule(scene);
   check.times(scene);
 }
 

@@ -30,6 +30,13 @@ void experiment(Schema& s) {
   s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x")
             .fallback(0.0));
 
+  s.section("schedule", "how the box moves: tilt and gap linear between times, constant before and after");
+  const auto moves = [](const Values& v) { return v.has("schedule.tilt") || v.has("schedule.gap"); };
+  s.add(ascending_numbers("times", "s", "of the values below")
+            .required_if("schedule.tilt or schedule.gap is given", moves));
+  s.add(numbers("tilt", "degree", "box.tilt at those times").above(-90.0).below(90.0).optional("box.tilt throughout"));
+  s.add(numbers("gap", "m", "box.gap at those times").above(0.0).optional("box.gap throughout"));
+
   s.section("grains", "the material");
   s.add(number("rho_star", "kg/m3", "intrinsic density of the grains").above(0.0));
   s.add(number("Phi", "1", "solids fraction within the grains").above(0.0).at_most(1.0));
@@ -109,11 +116,35 @@ void numerics(Schema& s) {
   s.add(number("jump_to", "1", "and from it alone beyond this share; above jump_from").above(0.0).fallback(0.12));
   s.add(number("film_speed", "m/s", "speed at which the giving column changes sides").above(0.0).fallback(1e-5));
 
+  s.section("initial", "how the grains move at the start");
+  const auto starts = [](const char* state) {
+    return [state](const Values& v) { return v.text("initial.state") == state; };
+  };
+  s.add(choice("state", words::of(words::initial_states),
+               "at rest, with the speeds given below, or as the steady flow at initial.tilt")
+            .fallback(std::string("rest")));
+  s.add(ascending_numbers("depths", "m", "below the surface, of the speeds")
+            .at_least(0.0)
+            .required_if("initial.state is profile", starts("profile")));
+  s.add(numbers("speeds", "m/s", "down the slope at those depths; linear between, constant outside")
+            .required_if("initial.state is profile", starts("profile")));
+  s.add(number("tilt", "degree", "of the box in the steady state from which the run starts")
+            .above(-90.0)
+            .below(90.0)
+            .optional("box.tilt"));
+
   s.section("grid", "cells");
-  s.add(integer("columns", "along the base").at_least(1).at_most(20000));
+  s.add(integer("columns", "along the base")
+            .at_least(1)
+            .at_most(20000)
+            .required_if("the model has columns",
+                         [](const Values& v) { return model(v.text("model.name")).has_columns; }));
   s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
+  s.add(choice("spacing", words::of(words::spacings),
+               "of layers: clustered at the surface, all alike, or graded from it as its depth's square root")
+            .fallback(std::string("clustered")));
   s.add(number("cluster_depth", "m",
-               "layers are uniform where the heap is much thinner, clustered at the surface where much deeper")
+               "clustered: layers are uniform where thinner, geometric where deeper; graded: geometric where deeper")
             .above(0.0)
             .fallback(3e-3));
 

@@ -22,9 +22,9 @@ class EvaluatedFields {
   bool empty_ = true;
 };
 
-/// `fields`: what has a place, and what is written once; `surface`: of these, what has at most one dimension; `series`:
-/// what changes in time and has at most one dimension, lines under their name with "_series" behind; `numbers`: single
-/// numbers that change in time.
+/// `fields`: what has a place, and what is written once; `surface`: of these, coordinates and what has fewer dimensions
+/// than the model's fields; `series`: what changes in time and has fewer dimensions than these, lines under their name
+/// with "_series" behind; `numbers`: single numbers that change in time.
 enum class Selection { fields, surface, series, numbers };
 
 /// The part of a source's variables that a recording wants. Fields are recorded seldom, series often.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "grid/layering.hpp"
 #include "steady/regularised_profile.hpp"
@@ -23,11 +24,7 @@ std::string format(const char* pattern, Numbers... numbers) {
   return text.data();
 }
 
-steady::Channel channel_of(const Scene& s) {
-  return {.grains = s.grains, .law = s.law, .gap = s.box.gap, .mu_w = s.wall.mu_w, .gravity = s.box.gravity};
-}
-
-double base_angle(const Scene& s) { return s.box.tilt - std::atan(s.box.base_slope); }
+double base_angle(const Scene& s) { return experiment::base_angle(s.box); }
 
 Theory::Steady describe(const UniformFlow& flow, bool heap, double thickness) {
   return {.flow = flow,
@@ -110,19 +107,21 @@ void left_to_itself(const Scene& s, Theory& theory) {
     theory.reason = "none: the base does not slope down to the right";
     return;
   }
-  const auto flow = UniformFlow::at(channel_of(s), base_angle(s), s.initial_thickness);
+  const double thickness = experiment::normal_thickness(s.box, s.initial.thickness);
+  const auto flow = UniformFlow::at(channel_of(s), base_angle(s), thickness);
   if (flow) {
-    theory.steady = describe(*flow, false, s.initial_thickness);
+    theory.steady = describe(*flow, false, thickness);
   } else {
     theory.reason = flow.reason();
   }
 }
 
-/// Layers, counted from the surface, within `depth` of it in a column of thickness H; fractions count.
+/// Layers, counted from the surface, within `depth` of it in a column of thickness H, both normal to the base; fractions
+/// count.
 double layers_within(const Scene& s, double depth, double H) {
-  const int n = s.grid.layers;
+  const int n = s.cells.layers;
   std::vector<double> z(static_cast<std::size_t>(n) + 1), dz(z), d2z(z);
-  grid::Layering(n, s.grid.cluster_depth).heights(H, z, dz, d2z);
+  grid::Layering(n, experiment::normal_thickness(s.box, s.cells.cluster_depth), s.cells.spacing).heights(H, z, dz, d2z);
   for (std::size_t k = z.size() - 1; k > 0; --k) {
     const double top = H - z[k], bottom = H - z[k - 1];
     if (bottom >= depth) return static_cast<double>(z.size() - 1 - k) + (depth - top) / (bottom - top);
@@ -130,26 +129,10 @@ double layers_within(const Scene& s, double depth, double H) {
   return n;
 }
 
-void judge_grid(const Scene& s, Theory& theory) {
-  const double dx = s.box.length / s.grid.columns;
-  if (s.inflow.rate > 0.0 && dx > 2.0 * s.inflow.width) {
-    theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm",
-                                     1e3 * dx, 1e3 * s.inflow.width));
-  }
-  if (!theory.steady) return;
-  auto& steady = *theory.steady;
-  steady.layers = layers_within(s, steady.depth, std::min(steady.thickness, s.box.height));
-  if (steady.layers < fewest_layers) {
-    theory.warnings.push_back(
-        format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "
-               "(more grid.layers, or a smaller grid.cluster_depth)",
-               steady.layers, 1e3 * steady.depth, fewest_layers));
-  }
-}
-
-}  // namespace
-
-Theory theory_of(const Scene& scene) {
+/// The steady state of the box at one time, its layers counted but not judged.
+Theory theory_at(const Scene& stated, double t) {
+  Scene scene = stated;
+  scene.box = experiment::box_at(stated.box, stated.motion, t);
   Theory theory;
   if (scene.inflow.rate > 0.0) {
     poured(scene, theory);
@@ -158,6 +141,50 @@ Theory theory_of(const Scene& scene) {
   } else {
     theory.reason = "none: no grains are poured in, those there are run out";
   }
+  if (theory.steady) {
+    auto& steady = *theory.steady;
+    steady.layers = layers_within(scene, steady.depth, std::min(steady.thickness, scene.box.height));
+  }
+  return theory;
+}
+
+/// Of the steady states that a moving box passes, the one that carries most.
+std::optional<Theory::Steady> strongest(const Scene& s) {
+  std::vector<double> times{0.0, s.end};
+  for (const auto* moved : {&s.motion.tilt, &s.motion.gap})
+    std::ranges::copy_if(moved->at, std::back_inserter(times), [&](double t) { return t > 0.0 && t < s.end; });
+  std::optional<Theory::Steady> most;
+  for (const double t : times) {
+    auto steady = theory_at(s, t).steady;
+    if (steady && (!most || steady->flow.flux() > most->flow.flux())) most = std::move(steady);
+  }
+  return most;
+}
+
+void judge_grid(const Scene& s, Theory& theory) {
+  const double dx = s.cells.columns > 0 ? s.box.length / s.cells.columns : 0.0;
+  if (s.inflow.rate > 0.0 && dx > 2.0 * s.inflow.width) {
+    theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm",
+                                     1e3 * dx, 1e3 * s.inflow.width));
+  }
+  const bool moves = !s.motion.tilt.at.empty() || !s.motion.gap.at.empty();
+  const auto judged = moves ? strongest(s) : theory.steady;
+  if (judged && judged->layers < fewest_layers) {
+    theory.warnings.push_back(
+        format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "
+               "(more grid.layers, or a smaller grid.cluster_depth)",
+               judged->layers, 1e3 * judged->depth, fewest_layers));
+  }
+}
+
+}  // namespace
+
+steady::Channel channel_of(const Scene& s) {
+  return {.grains = s.grains, .law = s.law, .gap = s.box.gap, .mu_w = s.wall.mu_w, .gravity = s.box.gravity};
+}
+
+Theory theory_of(const Scene& scene) {
+  Theory theory = theory_at(scene, scene.end);
   judge_grid(scene, theory);
   return theory;
 }

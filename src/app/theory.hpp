@@ -30,6 +30,10 @@ struct Theory {
 /// heap within 0.6 degrees.
 inline constexpr double fewest_layers = 4.0;
 
+/// The steady state is that of the box as it stands at the end; the grid is held against the strongest that it passes.
 Theory theory_of(const Scene& scene);
+
+/// The grains between the walls of the box as stated.
+steady::Channel channel_of(const Scene& scene);
 
 }  // namespace talus::app

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/scene.hpp"
 #include "ida/options.hpp"
 #include "layer/parameters.hpp"
 #include "linear/direct_solver.hpp"
@@ -27,6 +29,10 @@ inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::
                                                           {"banded", linear::Choice::banded},
                                                           {"condensed", linear::Choice::condensed}}};
 inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
+inline constexpr Table<grid::Spacing, 3> spacings{
+    {{"clustered", grid::Spacing::clustered}, {"uniform", grid::Spacing::uniform}, {"graded", grid::Spacing::graded}}};
+inline constexpr Table<Initial::State, 3> initial_states{
+    {{"rest", Initial::State::rest}, {"profile", Initial::State::profile}, {"steady", Initial::State::steady}}};
 inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
 
 /// The laws by their place in rheology::Law.
@@ -46,6 +52,13 @@ T meaning(const Table<T, N>& table, std::string_view word) {
     if (known == word) return value;
   }
   throw std::logic_error("no meaning for the word " + std::string(word));
+}
+
+/// A length for messages.
+inline std::string in_metres(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g m", x);
+  return text.data();
 }
 
 }  // namespace talus::app::words

@@ -187,8 +187,12 @@ Key choice(std::string name, std::vector<std::string> words, std::string doc) {
   return key;
 }
 
+Key numbers(std::string name, std::string unit, std::string doc) {
+  return make(Type::numbers, std::move(name), std::move(unit), std::move(doc));
+}
+
 Key ascending_numbers(std::string name, std::string unit, std::string doc) {
-  Key key = make(Type::numbers, std::move(name), std::move(unit), std::move(doc));
+  Key key = numbers(std::move(name), std::move(unit), std::move(doc));
   key.ascending = true;
   return key;
 }

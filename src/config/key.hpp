@@ -68,6 +68,8 @@ Key integer(std::string name, std::string doc);
 Key boolean(std::string name, std::string doc);
 Key text(std::string name, std::string doc);
 Key choice(std::string name, std::vector<std::string> words, std::string doc);
+/// A list of numbers in any order.
+Key numbers(std::string name, std::string unit, std::string doc);
 /// A list of numbers, strictly ascending.
 Key ascending_numbers(std::string name, std::string unit, std::string doc);
 /// A list of texts.

@@ -3,21 +3,48 @@
 #include <cmath>
 
 namespace talus::grid {
+namespace {
+
+/// Depth below the surface with its first and second derivative by H.
+struct Depth {
+  double D, dD, d2D;
+};
+
+Depth clustered(double s, double H, double H0) {
+  const double grown = std::expm1(s * std::log1p(H / H0)), inverse = 1.0 / (H0 + H);
+  const double slope = s * (grown + 1.0) * H0 * inverse;
+  return {H0 * grown, slope, slope * (s - 1.0) * inverse};
+}
+
+Depth graded(double s, double H, double H0) {
+  const double a = std::asinh(std::sqrt(H / H0)), root = std::sinh(a * s);
+  const double twice = std::sinh(2.0 * a), slope = s * std::sinh(2.0 * a * s) / twice;
+  const double a_slope = 0.5 / std::sqrt(H * (H + H0));
+  return {H0 * root * root, slope,
+          2.0 * a_slope * (s * s * std::cosh(2.0 * a * s) - slope * std::cosh(2.0 * a)) / twice};
+}
+
+Depth depth(Spacing spacing, double s, double H, double H0) {
+  switch (spacing) {
+    case Spacing::clustered: return clustered(s, H, H0);
+    case Spacing::graded: return graded(s, H, H0);
+    case Spacing::uniform: break;
+  }
+  return {s * H, s, 0.0};
+}
+
+}  // namespace
 
 void Layering::heights(double H, std::span<double> z, std::span<double> dz, std::span<double> d2z) const {
-  const double log_ratio = std::log1p(H / H0_);
-  const double inverse = 1.0 / (H0_ + H);
   for (int k = 0; k <= n_; ++k) {
-    const double s = 1.0 - static_cast<double>(k) / n_;
-    const double grown = std::expm1(s * log_ratio);
-    const double slope = s * (grown + 1.0) * H0_ * inverse;
-    z[k] = H - H0_ * grown;
-    dz[k] = 1.0 - slope;
-    d2z[k] = -slope * (s - 1.0) * inverse;
+    const auto below = depth(spacing_, 1.0 - static_cast<double>(k) / n_, H, H0_);
+    z[k] = H - below.D;
+    dz[k] = 1.0 - below.dD;
+    d2z[k] = -below.d2D;
   }
   z[0] = dz[0] = d2z[0] = 0.0;
 }
 
-double Layering::top_layer(double H) const { return H0_ * std::expm1(std::log1p(H / H0_) / n_); }
+double Layering::top_layer(double H) const { return depth(spacing_, 1.0 / n_, H, H0_).D; }
 
 }  // namespace talus::grid

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace talus::grid {
 
-/// Where the interfaces of the layers lie in a column of thickness H: clustered under the surface by depth
-/// D(s) = H0 ((1 + H/H0)^s - 1), s = 1 - k/n: uniform for H << H0, geometric for H >> H0, smooth in H.
+/// How the depth D of an interface grows from the surface, s = 0, to the base, s = 1, in a column of thickness H:
+/// - clustered: H0 ((1 + H/H0)^s - 1): uniform for H << H0, geometric for H >> H0;
+/// - uniform: H s;
+/// - graded: H0 sinh^2(a s), a = asinh(sqrt(H/H0)): as s^2 down to H0, geometric below. A speed that falls as D^1.5 under
+///   the surface is smooth in s.
+enum class Spacing : std::uint8_t { clustered, uniform, graded };
+
+/// Where the interfaces of the layers lie in a column of thickness H, smooth in H.
 class Layering {
  public:
-  /// n_layers >= 1, cluster_depth H0 > 0 [m].
-  Layering(int n_layers, double cluster_depth) : n_(n_layers), H0_(cluster_depth) {}
+  /// n_layers >= 1, cluster_depth H0 > 0 [m]; uniform spacing does not read it.
+  Layering(int n_layers, double cluster_depth, Spacing spacing = Spacing::clustered)
+      : n_(n_layers), H0_(cluster_depth), spacing_(spacing) {}
 
   [[nodiscard]] int n_layers() const { return n_; }
   /// Heights z_k above the base [m] and their first and second derivatives with respect to H, shape n_layers + 1 each.
@@ -21,6 +29,7 @@ class Layering {
  private:
   int n_;
   double H0_;
+  Spacing spacing_;
 };
 
 }  // namespace talus::grid

@@ -42,6 +42,7 @@ def arguments():
 def main():
     options = arguments()
     try:
+        import column_history, column_profiles, column_regularisations
         import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
         from run_data import Missing, Run
     except ImportError as error:
@@ -60,6 +61,9 @@ def main():
     progress = Progress()
     pictures = [("heap shapes", heap_shapes.draw), ("fields", field_maps.draw), ("mass", mass_curves.draw),
                 ("profiles", layer_profiles.draw), ("integrator", solver_history.draw)]
+    if run.is_column:
+        pictures = [("profiles", column_profiles.draw), ("history", column_history.draw),
+                    ("regularisations", column_regularisations.draw), ("integrator", solver_history.draw)]
     if options.movie:
         pictures.append(("movie", lambda run, folder: heap_movie.draw(run, folder, progress.show)))
     n_missing = 0

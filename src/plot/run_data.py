@@ -1,6 +1,7 @@
 """A run's output, read record by record: names, times, and the way from the box to gravity's coordinates."""
 
 import os
+from functools import cached_property
 from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # read along while the run still writes
@@ -35,10 +36,13 @@ class Run:
             raise Missing(f"{path} holds no output time yet")
         self.tilt = float(self.attribute("box_tilt_deg", 0.0))
         self.film = float(self.attribute("film_m", 0.0))
-        self.x = self.values("x")
-        self.x_face = self.values("x_face")
 
     # Names
+
+    @property
+    def is_column(self):
+        """A uniform layer, u(z, t) alone."""
+        return self.attribute("model") == "column"
 
     def attribute(self, name, default=None):
         return self.data.attrs.get(name, default)
@@ -124,6 +128,14 @@ class Run:
         return int(np.flatnonzero(self.times <= stop + 1e-6)[-1]) if self.times[0] <= stop else 0
 
     # Space
+
+    @cached_property
+    def x(self):
+        return self.values("x")
+
+    @cached_property
+    def x_face(self):
+        return self.values("x_face")
 
     def to_gravity(self, x, z):
         """(X, Z), X horizontal and Z up, from the box's x down the base and z normal to it. The base ends at Z = 0."""

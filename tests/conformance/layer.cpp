@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "ida/ida.hpp"
 #include "layer/layer.hpp"
-#include "support/layer_scene.hpp"
+#include "support/example_scene.hpp"
 #include "support/random_state.hpp"
 
 namespace {
@@ -12,54 +9,17 @@ namespace {
 using namespace talus;
 using tests::small;
 
-class EachExample : public testing::TestWithParam<std::string> {};
+class LayerExample : public testing::TestWithParam<std::string> {};
 
-TEST_P(EachExample, JacobianEqualsCentralDifferencesColumnByColumn) {
-  for (const char* settings :
-       {"rheology.cap=smooth", "rheology.p_0=5", "inflow.momentum=true", "inflow.along_gravity=false"}) {
-    const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5, {settings})));
-    std::vector<double> y, yp;
-    for (unsigned seed = 1; seed <= 2; ++seed) {
-      tests::RandomState{}.fill(system, seed, y, yp);
-      core::Index worst = -1;
-      EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6)
-          << settings << ", seed " << seed << ": " << system.describe(worst);
-    }
-  }
+std::vector<std::string> layer_examples() {
+  std::vector<std::string> names;
+  for (const auto& each : tests::every_case())
+    if (each.model == "layer") names.push_back(each.scene);
+  return names;
 }
 
-TEST_P(EachExample, JacobianAtRestAndCreeping) {
-  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5)));
-  std::vector<double> y, yp;
-  for (const double speed : {0.0, 1e-3}) {
-    tests::RandomState{speed}.fill(system, 3, y, yp);
-    core::Index worst = -1;
-    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6)
-        << speed << " m/s: " << system.describe(worst);
-  }
-}
-
-TEST_P(EachExample, NoRowAndNoColumnIsEmpty) {
-  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 9, 5)));
-  const auto& pattern = system.pattern();
-  std::vector<int> in_row(pattern.n(), 0);
-  for (const auto row : pattern.rows()) ++in_row[row];
-  for (core::Index i = 0; i < pattern.n(); ++i) {
-    EXPECT_GT(in_row[i], 0) << system.describe(i);
-    EXPECT_LT(pattern.column_starts()[i], pattern.column_starts()[i + 1]) << system.describe(i);
-  }
-}
-
-TEST_P(EachExample, EveryRowIsDescribedOnceAndHasAUnit) {
-  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 4, 3)));
-  std::set<std::string> words;
-  for (core::Index i = 0; i < system.layout().size(); ++i)
-    EXPECT_TRUE(words.insert(system.describe(i)).second) << system.describe(i);
-  for (const auto& field : system.layout().fields) EXPECT_FALSE(field.unit.empty()) << field.name;
-}
-
-TEST_P(EachExample, MassFluxesTelescope) {
-  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 20, 6)));
+TEST_P(LayerExample, MassFluxesTelescope) {
+  const layer::Layer system(app::make_layer_parameters(small(GetParam(), 20, 6, {"model.name=layer"})));
   std::vector<double> y, yp, r(system.layout().size());
   tests::RandomState{}.fill(system, 5, y, yp);
   std::fill(yp.begin(), yp.end(), 0.0);
@@ -78,7 +38,7 @@ TEST_P(EachExample, MassFluxesTelescope) {
   EXPECT_LT(std::abs(sum), 1e-14 * size);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layer, EachExample, testing::ValuesIn(tests::layer_examples()),
+INSTANTIATE_TEST_SUITE_P(Layer, LayerExample, testing::ValuesIn(layer_examples()),
                          [](const auto& each) { return each.param; });
 
 /// Deep enough to be no film and without jumps, but rough.
@@ -133,27 +93,6 @@ TEST(Layer, LevelSurfaceOverATiltedBaseIsAtRestToRoundOff) {
     for (int k = 0; k < 7; ++k) EXPECT_LT(std::abs(r[at.u(f, k)]), 1e-13 * weight) << system.describe(at.u(f, k));
   for (int i = 0; i < 24; ++i)
     for (int k = 1; k <= 7; ++k) EXPECT_LT(std::abs(r[at.momentum_w(i, k)]), 1e-13 * weight);
-}
-
-TEST(Layer, ARunStartedFromACheckpointEqualsTheOneThatWroteItBitByBit) {
-  const auto scene = small("heap_q46", 30, 8, {"integrator.linear_solver=klu"});
-  const layer::Layer system(app::make_layer_parameters(scene));
-  const auto options = app::make_integrator_options(scene);
-  core::Observer nobody;
-  std::vector<double> y(system.layout().size()), yp(y);
-  system.initial_state(0.0, y, yp);
-  ida::Ida first(system, options), second(system, options);
-  first.start(0.0, y, yp);
-  first.advance(0.8, nobody);
-  const auto checkpoint = first.current();
-  const std::vector<double> saved(checkpoint.y.begin(), checkpoint.y.end()),
-      saved_rate(checkpoint.yp.begin(), checkpoint.yp.end());
-  first.restart();
-  first.advance(1.2, nobody);
-  second.start(0.8, saved, saved_rate);
-  second.advance(1.2, nobody);
-  const auto a = first.current(), b = second.current();
-  for (std::size_t i = 0; i < y.size(); ++i) ASSERT_EQ(a.y[i], b.y[i]) << system.describe(static_cast<core::Index>(i));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "ida/ida.hpp"
 #include "layer/fields.hpp"
 #include "layer/layer.hpp"
-#include "support/layer_scene.hpp"
+#include "support/example_scene.hpp"
 
 /// The whole event on a coarse grid, from an empty box through heap, shut-off and drain, at each inflow of the paper.
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/layer_model.hpp"
 #include "app/progress.hpp"
 #include "app/scene.hpp"
 #include "app/selected_fields.hpp"
@@ -42,6 +43,32 @@ TEST(SelectedFields, PartAModelsVariablesByPlaceAndTime) {
   ASSERT_EQ(values.size(), 2U);
   EXPECT_EQ(values[0].size(), support::HeapFields::n_columns);
   EXPECT_EQ(values[1].at(0), support::HeapFields::value(2.0, 0));
+}
+
+/// Fields over layers alone, as a model in one dimension has them.
+class Profiles : public core::FieldSource {
+ public:
+  [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> dimensions() const override { return {{"layer", 2}}; }
+  [[nodiscard]] std::vector<core::Variable> variables() const override {
+    constexpr auto storage = core::Storage::double_precision;
+    return {{"z", {"layer"}, "m", "height", storage, true},
+            {"speed", {"layer"}, "m s-1", "speed", storage, false},
+            {"mass_flow", {}, "kg s-1", "mass flow", storage, false}};
+  }
+  void evaluate(const core::Snapshot&, std::vector<std::vector<double>>& values) override {
+    values = {{0.1, 0.3}, {1.0, 2.0}, {5.0}};
+  }
+};
+
+TEST(SelectedFields, ProfilesAreTheFieldsOfAModelInOneDimension) {
+  Profiles profiles;
+  app::EvaluatedFields model(profiles);
+  using Names = std::vector<std::string>;
+  const auto selected = [&](app::Selection selection) { return names(app::SelectedFields(model, selection)); };
+  EXPECT_EQ(selected(app::Selection::fields), (Names{"z", "speed"}));
+  EXPECT_EQ(selected(app::Selection::surface), (Names{"z"}));
+  EXPECT_EQ(selected(app::Selection::series), (Names{"mass_flow"}));
+  EXPECT_EQ(selected(app::Selection::numbers), (Names{"mass_flow"}));
 }
 
 TEST(Scene, RecordTimesUniteListIntervalStartAndEnd) {

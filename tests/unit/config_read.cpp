@@ -27,6 +27,7 @@ Schema sample() {
   s.section("output", "records");
   s.add(ascending_numbers("times", "s", "of records").at_least(0.0).fallback(std::vector<double>{}));
   s.add(text("title", "in words").fallback(std::string("untitled")));
+  s.add(numbers("tilts", "degree", "in any order").above(-90.0).below(90.0).optional("none"));
   return s;
 }
 
@@ -98,6 +99,19 @@ TEST(ConfigRead, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
   EXPECT_NE(refusal(good + "[output]\ntimes = [1, nan]\n"), "accepted");
   EXPECT_NE(refusal(good + "[output]\ntimes = [2, 2]\n"), "accepted");
   EXPECT_NE(refusal(good + "[output]\ntimes = [-1, 2]\n"), "accepted");
+}
+
+TEST(ConfigRead, ListsOfNumbersNeedNotAscendUnlessTheirKeySaysSo) {
+  const std::vector<double> tilts{30.0, -5.0, -5.0, 20.0};
+  const Values v = accept(good + "[output]\ntilts = [30.0, -5, -5.0, 20]\n");
+  EXPECT_EQ(v.numbers("output.tilts"), tilts);
+  EXPECT_EQ(accept(v.to_toml()).numbers("output.tilts"), tilts);
+  EXPECT_EQ(accept(good, {"output.tilts=[3, 1]"}).numbers("output.tilts"), (std::vector<double>{3.0, 1.0}));
+  EXPECT_FALSE(accept(good).has("output.tilts"));
+  const std::string expected = "s.toml:6:1: output.tilts: expected a list of numbers above -90 and below 90 [degree], ";
+  EXPECT_EQ(refusal(good + "[output]\ntilts = [30, 90]\n"), expected + "found [30.0, 90.0]");
+  EXPECT_EQ(refusal(good + "[output]\ntilts = [30, inf]\n"), expected + "found a list that holds something else");
+  EXPECT_EQ(refusal(good + "[output]\ntilts = 30\n"), expected + "found the integer 30");
 }
 
 TEST(ConfigRead, RefusesDuplicatesAndBrokenSyntaxWithItsPlace) {

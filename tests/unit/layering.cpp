@@ -7,6 +7,7 @@
 namespace {
 
 using talus::grid::Layering;
+using talus::grid::Spacing;
 
 struct Heights {
   std::vector<double> z, dz, d2z;
@@ -19,8 +20,10 @@ Heights at(const Layering& layering, double H) {
   return h;
 }
 
-TEST(Layering, DerivativesEqualCentralDifferences) {
-  const Layering layering(7, 0.003);
+class EachSpacing : public testing::TestWithParam<Spacing> {};
+
+TEST_P(EachSpacing, DerivativesEqualCentralDifferences) {
+  const Layering layering(7, 0.003, GetParam());
   for (const double H : {5e-4, 0.01, 0.2}) {
     const double step = 1e-5 * H;
     const auto here = at(layering, H), up = at(layering, H + step), down = at(layering, H - step);
@@ -31,8 +34,8 @@ TEST(Layering, DerivativesEqualCentralDifferences) {
   }
 }
 
-TEST(Layering, RunsFromTheBaseToTheSurfaceAndIsUniformWhenThin) {
-  const Layering layering(10, 0.003);
+TEST_P(EachSpacing, RunsFromTheBaseToTheSurface) {
+  const Layering layering(10, 0.003, GetParam());
   for (const double H : {1e-6, 0.15}) {
     const auto h = at(layering, H);
     EXPECT_EQ(h.z[0], 0.0);
@@ -40,8 +43,25 @@ TEST(Layering, RunsFromTheBaseToTheSurfaceAndIsUniformWhenThin) {
     for (int k = 0; k < 10; ++k) EXPECT_GT(h.z[k + 1], h.z[k]);
     EXPECT_NEAR(layering.top_layer(H), h.z[10] - h.z[9], 1e-15);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Layering, EachSpacing, testing::Values(Spacing::clustered, Spacing::uniform, Spacing::graded));
+
+TEST(Layering, ClusteredIsUniformWhereThinAndFineAtTheSurfaceOfADeepColumn) {
+  const Layering layering(10, 0.003);
   const auto thin = at(layering, 1e-6);
   for (int k = 0; k <= 10; ++k) EXPECT_NEAR(thin.z[k], k * 1e-7, 1e-10);
   EXPECT_LT(layering.top_layer(0.15), 0.1 * 0.15 / 10);
+}
+
+TEST(Layering, UniformIsUniformAtAnyDepth) {
+  const auto h = at(Layering(8, 0.003, Spacing::uniform), 0.2);
+  for (int k = 0; k <= 8; ++k) EXPECT_DOUBLE_EQ(h.z[k], 0.025 * k);
+}
+
+TEST(Layering, GradedGrowsAsTheSquareUnderTheSurface) {
+  const auto h = at(Layering(100, 0.01, Spacing::graded), 0.01);
+  const double top = 0.01 - h.z[99];
+  for (const int layers : {2, 3, 5}) EXPECT_NEAR((0.01 - h.z[100 - layers]) / top, layers * layers, 0.01 * layers);
 }
 }  // namespace

@@ -11,7 +11,7 @@
 #include "layer/layer.hpp"
 #include "steady/regularised_profile.hpp"
 #include "steady/uniform_flow.hpp"
-#include "support/layer_scene.hpp"
+#include "support/example_scene.hpp"
 
 /// The grown heap, when its inflow ends, against the exact steady flow down its face: slope, speed and inertial number. The exact flow is
 /// that of the flux which really passes there, with the same regularisations.

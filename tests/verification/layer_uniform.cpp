@@ -7,7 +7,7 @@
 #include "ida/ida.hpp"
 #include "layer/layer.hpp"
 #include "steady/regularised_profile.hpp"
-#include "support/layer_scene.hpp"
+#include "support/example_scene.hpp"
 
 /// A uniform layer between rough walls, run from rest to its steady state: a periodic box whose columns stand at a right angle to
 /// the layer, or at any other. The reference is the one-dimensional profile with the same regularisations.
