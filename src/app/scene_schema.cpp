@@ -134,11 +134,13 @@ void numerics(Schema& s) {
             .optional("box.tilt"));
 
   s.section("grid", "cells");
-  s.add(integer("columns", "along the base")
-            .at_least(1)
-            .at_most(20000)
-            .required_if("the model has columns",
-                         [](const Values& v) { return model(v.text("model.name")).has_columns; }));
+  s.add(
+      integer("columns", "along the base")
+          .at_least(1)
+          .at_most(20000)
+          .required_if("the model has columns",
+                       // a material file names no model
+                       [](const Values& v) { return v.has("model.name") && model(v.text("model.name")).has_columns; }));
   s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
   s.add(choice("spacing", words::of(words::spacings),
                "of layers: clustered at the surface, all alike, or graded from it as its depth's square root")
