@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/exit_code.hpp"
+#include "app/integrator.hpp"
 #include "app/interrupt.hpp"
 #include "app/models.hpp"
 #include "app/progress.hpp"
@@ -15,7 +16,6 @@
 #include "app/theory.hpp"
 #include "app/versions.hpp"
 #include "core/errors.hpp"
-#include "ida/ida.hpp"
 #include "output/atomic_file.hpp"
 
 namespace talus::app {
@@ -89,18 +89,18 @@ int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder,
   const Interrupt interrupt;
   const Simulation simulation = model(scene.model).build(scene);
   Recorder recorder(scene, theory, *simulation.fields, folder, request.command, summary);
-  ida::Ida integrator(*simulation.system, make_integrator_options(scene));
+  const auto integrator = make_integrator(scene, *simulation.system);
   bool finished = false;
   try {
-    finished = integrate(scene, integrator, simulation, recorder, interrupt, log);
+    finished = integrate(scene, *integrator, simulation, recorder, interrupt, log);
   } catch (const core::IntegrationError&) {
-    summary.integrator(integrator.describe());
-    record_last_state(integrator, recorder, log);
+    summary.integrator(integrator->describe());
+    record_last_state(*integrator, recorder, log);
     throw;
   }
-  summary.integrator(integrator.describe());
-  log.info("{}", integrator.describe());
-  if (!finished) record_last_state(integrator, recorder, log);
+  summary.integrator(integrator->describe());
+  log.info("{}", integrator->describe());
+  if (!finished) record_last_state(*integrator, recorder, log);
   recorder.close();
   constexpr int signal_base = 128;
   const int code = finished ? 0 : signal_base + interrupt.signal();
@@ -108,7 +108,7 @@ int carry_out(const Scene& scene, const Theory& theory, const RunFolder& folder,
   summary.write(folder.summary(), finished ? "finished" : "stopped", code, reason);
   log.info("{}", finished ? "finished" : reason);
   std::printf("%s: %s at t = %g s; results in %s\n", scene.name.c_str(), finished ? "finished" : reason.c_str(),
-              integrator.current().t, folder.path().c_str());
+              integrator->current().t, folder.path().c_str());
   return code;
 }
 

@@ -111,7 +111,8 @@ layer::Numerics numerics_of(const Values& v) {
 }
 
 Integration integration_of(const Values& v) {
-  return {.rtol = v.number("integrator.rtol"),
+  return {.method = words::meaning(words::methods, v.text("integrator.method")),
+          .rtol = v.number("integrator.rtol"),
           .atol_velocity = v.number("integrator.atol_velocity"),
           .atol_pressure = v.number("integrator.atol_pressure"),
           .atol_height = v.number("integrator.atol_height"),

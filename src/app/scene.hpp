@@ -16,6 +16,9 @@ namespace talus::app {
 
 /// How the scene is to be integrated; the integrator's own settings are made from it.
 struct Integration {
+  /// `bdf`: through time, by IDA; `steady`: the steady state of each recorded time, by KINSOL.
+  enum class Method : std::uint8_t { bdf, steady };
+  Method method;
   double rtol;           ///< [1]
   double atol_velocity;  ///< [m/s]
   double atol_pressure;  ///< [Pa]

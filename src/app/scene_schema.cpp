@@ -150,7 +150,10 @@ void numerics(Schema& s) {
             .above(0.0)
             .fallback(3e-3));
 
-  s.section("integrator", "IDA");
+  s.section("integrator", "how the equations are carried through time");
+  s.add(choice("method", words::of(words::methods),
+               "bdf: step by step, by IDA; steady: the steady state that belongs to each recorded time, by KINSOL")
+            .fallback(std::string("bdf")));
   s.add(number("rtol", "1", "relative tolerance of a step").above(0.0).below(1.0).fallback(1e-4));
   s.add(number("atol_velocity", "m/s", "absolute tolerance").above(0.0).fallback(1e-5));
   s.add(number("atol_pressure", "Pa", "absolute tolerance").above(0.0).fallback(0.1));

@@ -28,6 +28,8 @@ inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::
                                                           {"umfpack", linear::Choice::umfpack},
                                                           {"banded", linear::Choice::banded},
                                                           {"condensed", linear::Choice::condensed}}};
+inline constexpr Table<Integration::Method, 2> methods{
+    {{"bdf", Integration::Method::bdf}, {"steady", Integration::Method::steady}}};
 inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
 inline constexpr Table<grid::Spacing, 3> spacings{
     {{"clustered", grid::Spacing::clustered}, {"uniform", grid::Spacing::uniform}, {"graded", grid::Spacing::graded}}};
