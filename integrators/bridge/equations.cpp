@@ -29,6 +29,7 @@ class Timer {
 Equations::Equations(const core::DaeSystem& system, const linear::Settings& settings, core::Statistics& statistics)
     : system_(system),
       statistics_(statistics),
+      settings_(settings),
       solver_(linear::make_solver(system.pattern(), settings)),
       values_(system.pattern().n_nonzeros()) {
   for (const auto& field : system.layout().fields) {
@@ -94,6 +95,12 @@ Outcome Equations::solve(std::span<double> b) noexcept {
     broken_ = std::current_exception();
     return Outcome::broken;
   }
+}
+
+void Equations::renew_solver(const std::string& chosen) {
+  settings_.chosen = chosen;
+  solver_ = linear::make_solver(system_.pattern(), settings_);
+  forget_factors();
 }
 
 void Equations::rethrow() {

@@ -36,6 +36,9 @@ class Equations {
   /// c_j of the factors at hand; 0 where there are none.
   [[nodiscard]] double c_j() const { return c_j_; }
   void forget_factors() { c_j_ = 0.0; }
+  /// A new linear solver: of all matrices before, it knows only what their trials came to, `chosen` (see
+  /// linear::Settings). From here on the same states give the same bits, whatever came before.
+  void renew_solver(const std::string& chosen);
   /// Why the last refusal was made, with its time; empty if there was none.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   void forget_refusal() { refusal_.clear(); }
@@ -54,6 +57,7 @@ class Equations {
 
   const core::DaeSystem& system_;
   core::Statistics& statistics_;
+  linear::Settings settings_;
   std::unique_ptr<linear::DirectSolver> solver_;
   std::vector<double> values_;
   double c_j_ = 0.0;

@@ -21,22 +21,27 @@ void Ida::start(double t, std::span<const double> y, std::span<const double> yp)
   if (y.size() != m.shown_y.size() || yp.size() != m.shown_yp.size()) {
     throw std::invalid_argument("Ida::start: y and y' must have one value an unknown");
   }
-  m.started = false;
-  m.statistics = {};
-  m.equations.forget_refusal();
-  std::copy(y.begin(), y.end(), m.y.span().begin());
-  std::copy(yp.begin(), yp.end(), m.yp.span().begin());
-  m.begin(t);
-  m.started = true;
+  begin({t, y, yp, {}});
 }
 
-void Ida::restart() {
+void Ida::resume(const core::Snapshot& state, const std::string& linear_solver) {
+  machine_->equations.renew_solver(linear_solver);
+  core::Statistics statistics = state.statistics;
+  ++statistics.restarts;
+  begin({state.t, state.y, state.yp, statistics});
+}
+
+std::string Ida::linear_solver() const { return machine_->equations.solver().chosen(); }
+
+void Ida::begin(const core::Snapshot& state) {
   auto& m = *machine_;
-  if (!m.started) throw std::logic_error("Ida::restart before start");
-  ++m.statistics.restarts;
-  std::copy(m.shown_y.begin(), m.shown_y.end(), m.y.span().begin());
-  std::copy(m.shown_yp.begin(), m.shown_yp.end(), m.yp.span().begin());
-  m.begin(m.shown_t);
+  m.started = false;
+  m.statistics = state.statistics;
+  m.equations.forget_refusal();
+  std::copy(state.y.begin(), state.y.end(), m.y.span().begin());
+  std::copy(state.yp.begin(), state.yp.end(), m.yp.span().begin());
+  m.begin(state.t);
+  m.started = true;
 }
 
 bool Ida::advance(double t_out, core::Observer& observer) {
@@ -53,7 +58,10 @@ bool Ida::advance(double t_out, core::Observer& observer) {
       m.interpolate(t_out);
       return true;
     }
-    if (m.at_breakpoint) restart();
+    if (m.at_breakpoint) {
+      ++m.statistics.restarts;
+      m.begin(m.shown_t);
+    }
     m.step(t_out);
   }
 }

@@ -103,6 +103,8 @@ void Ida::Machine::begin(double from) {
   must(IDAReInit(memory.ida, t, y.handle(), yp.handle()), "IDAReInit");
   set_stop_time(t);
   at_breakpoint = unseen = false;
+  steps_since_output_ = 0;
+  failures_at_output_ = statistics.error_test_failures + statistics.newton_failures;
   show_internal();
 }
 

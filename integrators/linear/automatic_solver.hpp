@@ -18,6 +18,7 @@ class AutomaticSolver final : public DirectSolver {
   void factor(std::span<const double> values) override;
   void solve(std::span<double> b) override { chosen_->solve(b); }
   [[nodiscard]] const Statistics& statistics() const override;
+  [[nodiscard]] std::string chosen() const override { return chosen_ ? chosen_->chosen() : ""; }
   [[nodiscard]] std::string describe() const override;
 
  private:

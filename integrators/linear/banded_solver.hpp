@@ -12,6 +12,8 @@ class BandedSolver final : public CheckedSolver {
   /// McKee.
   explicit BandedSolver(const SparsePattern& pattern, std::vector<Index> ordering = {});
   [[nodiscard]] std::string describe() const override;
+  [[nodiscard]] std::string chosen() const override { return name; }
+  static constexpr const char* name = "banded";
   /// Sub- and superdiagonals of the reordered matrix.
   [[nodiscard]] Index lower() const { return lower_; }
   [[nodiscard]] Index upper() const { return upper_; }

@@ -18,6 +18,8 @@ class CondensedSolver final : public CheckedSolver {
   explicit CondensedSolver(const SparsePattern& matrix);
 
   [[nodiscard]] std::string describe() const override;
+  [[nodiscard]] std::string chosen() const override { return name; }
+  static constexpr const char* name = "condensed";
   /// Unknowns that are left, and the diagonals on either side of the main one.
   [[nodiscard]] Index n_kept() const { return static_cast<Index>(kept_.size()); }
   [[nodiscard]] Index width() const { return band_.width(); }
@@ -34,17 +36,17 @@ class CondensedSolver final : public CheckedSolver {
     Index position;  ///< in the value array
   };
   struct Link {
-    Index unknown;             ///< row and column in the matrix
-    Index diagonal;            ///< position of its diagonal entry
-    Index before = -1;         ///< position of the entry in the column of the link before, -1 at the foot of a chain
-    Index after = -1;          ///< position of the entry of the next link's row in this column
-    std::vector<Entry> row;    ///< kept columns of its row
-    std::vector<Entry> column; ///< kept rows of its column
+    Index unknown;              ///< row and column in the matrix
+    Index diagonal;             ///< position of its diagonal entry
+    Index before = -1;          ///< position of the entry in the column of the link before, -1 at the foot of a chain
+    Index after = -1;           ///< position of the entry of the next link's row in this column
+    std::vector<Entry> row;     ///< kept columns of its row
+    std::vector<Entry> column;  ///< kept rows of its column
   };
 
-  std::vector<Link> links_;      ///< chain after chain, each from its foot up
-  std::vector<Index> kept_;      ///< unknown of each kept number
-  std::vector<Index> number_;    ///< kept number of each unknown, -1 for links
+  std::vector<Link> links_;    ///< chain after chain, each from its foot up
+  std::vector<Index> kept_;    ///< unknown of each kept number
+  std::vector<Index> number_;  ///< kept number of each unknown, -1 for links
   TwoEndedBand band_;
   std::vector<double> scratch_;
 };

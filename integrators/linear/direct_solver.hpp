@@ -54,6 +54,8 @@ class DirectSolver {
   /// finite.
   virtual void solve(std::span<double> b) = 0;
   [[nodiscard]] virtual const Statistics& statistics() const = 0;
+  /// What was taken on the first matrix, for Settings::chosen; "" before it.
+  [[nodiscard]] virtual std::string chosen() const = 0;
   /// One line: library with version, ordering, fill, residual.
   [[nodiscard]] virtual std::string describe() const = 0;
 };
@@ -64,10 +66,12 @@ struct Settings {
   Choice choice = Choice::automatic;
   double pivot_tolerance = 0.1;      ///< KLU: take a diagonal pivot this large relative to the largest of its column
   std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
+  std::string chosen = {};  ///< DirectSolver::chosen() of an earlier solver: taken without trials; "" or unknown: tried
 };
 
 /// A solver for matrices of `pattern`, which must outlive it. `automatic` tries all on the first matrix and keeps the
-/// one with the least predicted time. Throws std::invalid_argument where the ordering is no permutation of the
+/// one with the least predicted time. Two new solvers with the same settings give the same bits on the same matrices:
+/// what else a solver remembers (pivots) it learns from them. Throws std::invalid_argument where the ordering is no permutation of the
 /// unknowns.
 [[nodiscard]] std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Settings& settings = {});
 

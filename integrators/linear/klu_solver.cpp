@@ -2,6 +2,7 @@
 
 #include <klu.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -71,6 +72,7 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
 void KluSolver::choose() {
   std::vector<std::string> candidates = {"COLAMD", "COLAMD btf", "AMD"};
   if (!settings_.ordering.empty()) candidates.emplace_back("given");
+  if (std::ranges::find(candidates, settings_.only) != candidates.end()) candidates = {settings_.only};
   std::unique_ptr<Factors> best;
   std::ostringstream trials;
   for (const auto& name : candidates) {
@@ -124,6 +126,8 @@ bool KluSolver::refactor() {
 void KluSolver::substitute(std::span<double> b) {
   klu_l_solve(factors_->symbolic, factors_->numeric, pattern().n(), 1, b.data(), &factors_->common);
 }
+
+std::string KluSolver::chosen() const { return factors_ ? std::string(library) + " " + factors_->name : ""; }
 
 std::string KluSolver::describe() const {
   std::ostringstream line;

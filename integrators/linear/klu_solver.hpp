@@ -19,13 +19,16 @@ class KluSolver final : public CheckedSolver {
   struct Settings {
     double pivot_tolerance = 0.1;  ///< take a diagonal pivot of this size relative to the largest entry of its column
     std::vector<Index> ordering = {};  ///< optional: unknown number k of the elimination, shape n
-    Index max_fill = 0;  ///< give up (SingularMatrix) above this many entries of L + U on the first matrix; 0: none
+    Index max_fill = 0;     ///< give up (SingularMatrix) above this many entries of L + U on the first matrix; 0: none
+    std::string only = {};  ///< the ordering to take, as chosen() names it; "": try all
   };
 
   explicit KluSolver(const SparsePattern& pattern) : KluSolver(pattern, Settings{}) {}
   KluSolver(const SparsePattern& pattern, Settings settings);
   ~KluSolver() override;
   [[nodiscard]] std::string describe() const override;
+  [[nodiscard]] std::string chosen() const override;
+  static constexpr const char* library = "KLU";  ///< followed by " " and the ordering in chosen()
 
  protected:
   void factor_anew() override;

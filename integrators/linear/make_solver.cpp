@@ -8,6 +8,22 @@
 #include "linear/umfpack_solver.hpp"
 
 namespace talus::linear {
+namespace {
+
+/// The solver that `settings.chosen` names, or null.
+std::unique_ptr<DirectSolver> make_chosen(const SparsePattern& pattern, const Settings& settings) {
+  const std::string& chosen = settings.chosen;
+  for (const auto strategy : {UmfpackSolver::Strategy::symmetric, UmfpackSolver::Strategy::unsymmetric})
+    if (chosen == UmfpackSolver::name(strategy)) return std::make_unique<UmfpackSolver>(pattern, strategy);
+  if (chosen == BandedSolver::name) return std::make_unique<BandedSolver>(pattern, settings.ordering);
+  if (chosen == CondensedSolver::name) return std::make_unique<CondensedSolver>(pattern);
+  const std::string klu = std::string(KluSolver::library) + " ";
+  if (!chosen.starts_with(klu)) return nullptr;
+  return std::make_unique<KluSolver>(
+      pattern, KluSolver::Settings{settings.pivot_tolerance, settings.ordering, 0, chosen.substr(klu.size())});
+}
+
+}  // namespace
 
 std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Settings& settings) {
   const auto& ordering = settings.ordering;
@@ -15,6 +31,7 @@ std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Se
     throw std::invalid_argument("make_solver: the given ordering must name each unknown once");
   }
   limit_blas_to_one_thread();
+  if (auto solver = make_chosen(pattern, settings)) return solver;
   switch (settings.choice) {
     case Choice::klu:
       return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, ordering, 0});

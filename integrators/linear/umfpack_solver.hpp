@@ -17,6 +17,8 @@ class UmfpackSolver final : public CheckedSolver {
   explicit UmfpackSolver(const SparsePattern& pattern, Strategy strategy = Strategy::unsymmetric);
   ~UmfpackSolver() override;
   [[nodiscard]] std::string describe() const override;
+  [[nodiscard]] std::string chosen() const override { return name(strategy_); }
+  static std::string name(Strategy s) { return s == Strategy::symmetric ? "UMFPACK symmetric" : "UMFPACK unsymmetric"; }
 
  protected:
   void factor_anew() override;

@@ -15,7 +15,7 @@ struct Statistics {
   std::int64_t factorisations = 0;
   std::int64_t solves = 0;
   std::int64_t inadmissible_states = 0;  ///< residual calls refused by the model
-  std::int64_t restarts = 0;             ///< starts afresh at breakpoints; of steady solves: continuation steps
+  std::int64_t restarts = 0;             ///< starts afresh at breakpoints and checkpoints; of steady solves: continuation steps
   int order = 0;                         ///< of the last step
   double last_step = 0.0;                ///< [s]
   double seconds_residual = 0.0;         ///< CPU [s]

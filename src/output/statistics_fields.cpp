@@ -30,7 +30,7 @@ constexpr std::array entries{
     Entry{"n_factorisations", "1", "factorisations of the Jacobian", read<&S::factorisations>},
     Entry{"n_solves", "1", "solves with a factorised Jacobian", read<&S::solves>},
     Entry{"n_inadmissible_states", "1", "residual evaluations refused by the model", read<&S::inadmissible_states>},
-    Entry{"n_restarts", "1", "starts afresh at breakpoints, or continuation steps of steady solves",
+    Entry{"n_restarts", "1", "starts afresh at breakpoints and checkpoints, or continuation steps of steady solves",
           read<&S::restarts>},
     Entry{"order", "1", "order of the last step", read<&S::order>},
     Entry{"last_step", "s", "size of the last step", read<&S::last_step>},

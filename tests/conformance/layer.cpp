@@ -95,4 +95,33 @@ TEST(Layer, LevelSurfaceOverATiltedBaseIsAtRestToRoundOff) {
     for (int k = 1; k <= 7; ++k) EXPECT_LT(std::abs(r[at.momentum_w(i, k)]), 1e-13 * weight);
 }
 
+class LayerCheckpoint : public testing::TestWithParam<const char*> {};
+
+TEST_P(LayerCheckpoint, ARunContinuedFromItEqualsTheOneThatWroteItBitByBit) {
+  const auto scene = small("heap_q46", 30, 8, {std::string("integrator.linear_solver=") + GetParam()});
+  const layer::Layer system(app::make_layer_parameters(scene));
+  const auto options = app::make_integrator_options(scene);
+  core::Observer nobody;
+  std::vector<double> y(system.layout().size()), yp(y);
+  system.initial_state(0.0, y, yp);
+  ida::Ida first(system, options), second(system, options);
+  first.start(0.0, y, yp);
+  first.advance(0.8, nobody);
+  std::ranges::copy(first.current().y, y.begin());
+  std::ranges::copy(first.current().yp, yp.begin());
+  const core::Statistics statistics = first.current().statistics;
+  const std::string solver = first.linear_solver();
+  for (auto* each : {&first, &second}) {
+    each->resume({0.8, y, yp, statistics}, solver);
+    each->advance(1.2, nobody);
+  }
+  const auto a = first.current(), b = second.current();
+  for (std::size_t i = 0; i < y.size(); ++i) ASSERT_EQ(a.y[i], b.y[i]) << system.describe(static_cast<core::Index>(i));
+  EXPECT_EQ(a.statistics.newton_iterations, b.statistics.newton_iterations);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachSolver, LayerCheckpoint,
+                         testing::Values("automatic", "klu", "umfpack", "banded", "condensed"),
+                         [](const auto& each) { return std::string(each.param); });
+
 }  // namespace

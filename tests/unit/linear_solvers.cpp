@@ -99,6 +99,25 @@ TEST(LinearSolvers, FollowAMatrixWhoseValuesChange) {
   }
 }
 
+TEST(LinearSolvers, TakeWhatAnEarlierOneChoseAndForgetItsMatrices) {
+  const Matrix first = saddle_point(25, 8, 1e8, ConstraintAt::w), second = saddle_point(25, 8, 1e-2, ConstraintAt::w);
+  for (const Choice choice : every_choice) {
+    const auto earlier = linear::make_solver(first.pattern, {choice});
+    EXPECT_LT(solve_residual(*earlier, first), 1e-10);
+    ASSERT_NE(earlier->chosen(), "") << earlier->describe();
+    std::vector<double> x[2];
+    for (auto& each : x) {
+      const auto solver =
+          linear::make_solver(first.pattern, {.choice = Choice::automatic, .chosen = earlier->chosen()});
+      solver->factor(second.values);
+      solver->solve(each = right_side(second));
+      EXPECT_EQ(solver->chosen(), earlier->chosen());
+      EXPECT_EQ(solver->describe().find("predicted"), std::string::npos) << "tried again: " << solver->describe();
+    }
+    EXPECT_EQ(x[0], x[1]);
+  }
+}
+
 TEST(LinearSolvers, RecoverTheKnownSolutionOfASmallSystem) {
   MatrixBuilder builder(3);
   for (const auto& [i, j, v] : {std::tuple(0, 1, 2.0), {1, 0, 1.0}, {1, 2, 1.0}, {2, 1, 1.0}, {2, 2, 4.0}})
