@@ -24,4 +24,25 @@ struct Statistics {
   double seconds_solve = 0.0;
 };
 
+/// Calls visit(name, value) for each member of a Statistics, const or not; CPU times under cpu_<part>.
+template <class S, class Visit>
+void for_each_counter(S& s, Visit&& visit) {
+  visit("steps", s.steps);
+  visit("error_test_failures", s.error_test_failures);
+  visit("newton_failures", s.newton_failures);
+  visit("newton_iterations", s.newton_iterations);
+  visit("residuals", s.residuals);
+  visit("jacobians", s.jacobians);
+  visit("factorisations", s.factorisations);
+  visit("solves", s.solves);
+  visit("inadmissible_states", s.inadmissible_states);
+  visit("restarts", s.restarts);
+  visit("order", s.order);
+  visit("last_step", s.last_step);
+  visit("cpu_residual", s.seconds_residual);
+  visit("cpu_jacobian", s.seconds_jacobian);
+  visit("cpu_factor", s.seconds_factor);
+  visit("cpu_solve", s.seconds_solve);
+}
+
 }  // namespace talus::core

@@ -61,4 +61,11 @@ void write_atomically(const std::filesystem::path& path, std::string_view text) 
   if (directory.valid()) ::fsync(directory.number());
 }
 
+void bring_to_disk(const std::filesystem::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.valid() || ::fsync(file.number()) != 0)
+    throw core::OutputError(core::ExitCode::output_failed,
+                            "cannot bring " + path.string() + " to disk: " + std::strerror(errno));
+}
+
 }  // namespace talus::output

@@ -10,4 +10,7 @@ namespace talus::output {
 /// it was.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Brings what was written to a file to disk. Throws OutputError(output_failed).
+void bring_to_disk(const std::filesystem::path& path);
+
 }  // namespace talus::output

@@ -27,14 +27,18 @@ void check(int status, core::ExitCode code, const std::string& what) {
   if (status != NC_NOERR) throw core::OutputError(code, what + ": " + nc_strerror(status));
 }
 
-NcFile::NcFile(const std::filesystem::path& path, bool replace) : path_(path) {
-  if (!replace && std::filesystem::exists(path))
-    throw core::OutputError(core::ExitCode::io_setup, path.string() + " exists already and is not replaced");
-  // HDF5's lock would shut out readers of a running job, and fails on many network drives. HDF5 reads this once, at its
-  // start.
-  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
-  const int mode = NC_NETCDF4 | (replace ? NC_CLOBBER : NC_NOCLOBBER);
-  check(nc_create(path.c_str(), mode, &id_), core::ExitCode::io_setup, "cannot create " + path.string());
+void prepare_hdf5() { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0); }
+
+NcFile::NcFile(const std::filesystem::path& path, Access access) : path_(path) {
+  prepare_hdf5();
+  if (access == Access::read) {
+    check(nc_open(path.c_str(), NC_NOWRITE, &id_), core::ExitCode::io_setup, "cannot read " + path.string());
+  } else {
+    if (access == Access::create && std::filesystem::exists(path))
+      throw core::OutputError(core::ExitCode::io_setup, path.string() + " exists already and is not replaced");
+    const int mode = NC_NETCDF4 | (access == Access::replace ? NC_CLOBBER : NC_NOCLOBBER);
+    check(nc_create(path.c_str(), mode, &id_), core::ExitCode::io_setup, "cannot create " + path.string());
+  }
   open_ = true;
 }
 

@@ -141,6 +141,56 @@ void RecordStream::append(const core::Snapshot& snapshot) {
     write(slot, values_[i]);
   }
   ++n_records_;
+  last_time_ = snapshot.t;
+}
+
+void RecordStream::take_over(int from, std::size_t n) {
+  const auto must = [&](int status, const std::string& what) { check(status, ExitCode::bad_restart, what); };
+  int dimension = -1, variable = -1;
+  std::size_t there = 0;
+  must(nc_inq_dimid(from, time_name_.c_str(), &dimension), "dimension '" + time_name_ + "'");
+  must(nc_inq_dimlen(from, dimension, &there), "dimension '" + time_name_ + "'");
+  must(nc_inq_varid(from, time_name_.c_str(), &variable), "variable '" + time_name_ + "'");
+  if (there < n)
+    throw core::OutputError(ExitCode::bad_restart, "it holds " + std::to_string(there) + " records along '" +
+                                                       time_name_ + "', the checkpoint speaks of " + std::to_string(n));
+  std::vector<double> times(n);
+  const std::size_t first = 0;
+  if (n > 0) must(nc_get_vara_double(from, variable, &first, &n, times.data()), "reading '" + time_name_ + "'");
+  if (n > 0)
+    check(nc_put_vara_double(file_, time_variable_, &first, &n, times.data()), ExitCode::output_failed,
+          "writing '" + time_name_ + "'");
+  for (const Slot& slot : slots_)
+    if (!slot.container && n > 0) copy(slot, from, n);
+  n_records_ = n;
+  if (n > 0) last_time_ = times.back();
+}
+
+/// Record by record, as they were written: a value is moved, not converted.
+void RecordStream::copy(const Slot& slot, int from, std::size_t n) {
+  const std::string what = "variable '" + slot.variable.name + "'";
+  const bool single = slot.variable.storage == core::Storage::single_precision;
+  int id = -1;
+  nc_type type = NC_NAT;
+  check(nc_inq_varid(from, slot.variable.name.c_str(), &id), ExitCode::bad_restart, what);
+  check(nc_inq_vartype(from, id, &type), ExitCode::bad_restart, what);
+  if (type != (single ? NC_FLOAT : NC_DOUBLE))
+    throw core::OutputError(ExitCode::bad_restart, what + " is of another type");
+  auto start = slot.start, count = slot.count;
+  const bool numbers = !slot.variable.fixed && slot.variable.dimensions.empty();  // all at once
+  const std::size_t n_pieces = slot.variable.fixed || numbers ? 1 : n;
+  if (numbers) count[0] = n;
+  single_.resize(numbers ? n : slot.size);
+  double_.resize(single_.size());
+  for (std::size_t k = 0; k < n_pieces; ++k) {
+    if (!slot.variable.fixed) start[0] = k;
+    check(single ? nc_get_vara_float(from, id, start.data(), count.data(), single_.data())
+                 : nc_get_vara_double(from, id, start.data(), count.data(), double_.data()),
+          ExitCode::bad_restart, "reading " + what);
+    check(single ? nc_put_vara_float(file_, slot.id, start.data(), count.data(), single_.data())
+                 : nc_put_vara_double(file_, slot.id, start.data(), count.data(), double_.data()),
+          ExitCode::output_failed, "writing " + what);
+  }
 }
 
 void RecordStream::write(const Slot& slot, const std::vector<double>& values) {

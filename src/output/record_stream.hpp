@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,14 @@ class RecordStream {
   /// Error(internal) where the source's values do not have the shape that it declared.
   void append(const core::Snapshot& snapshot);
 
+  /// Takes over the first n records of the same stream in another open file, fixed variables too, before the first
+  /// append(). Throws OutputError(bad_restart) where that file does not hold them as this stream would write them,
+  /// OutputError(output_failed) where they cannot be written.
+  void take_over(int from, std::size_t n);
+
   [[nodiscard]] std::size_t n_records() const { return n_records_; }
+  /// Time of the last record [s]; -infinity without one.
+  [[nodiscard]] double last_time() const { return last_time_; }
   /// Uncompressed size of a record [byte].
   [[nodiscard]] std::size_t bytes_per_record() const { return bytes_per_record_; }
 
@@ -42,6 +50,7 @@ class RecordStream {
   void define_dimensions();
   void define(const core::Variable& variable);
   void write(const Slot& slot, const std::vector<double>& values);
+  void copy(const Slot& slot, int from, std::size_t n);
 
   int file_;
   std::string time_name_;
@@ -51,7 +60,9 @@ class RecordStream {
   std::vector<Slot> slots_;
   std::vector<std::vector<double>> values_;
   std::vector<float> single_;
+  std::vector<double> double_;
   std::size_t n_records_ = 0;
+  double last_time_ = -std::numeric_limits<double>::infinity();
   std::size_t bytes_per_record_ = sizeof(double);
 };
 

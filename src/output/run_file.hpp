@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/field_source.hpp"
 #include "output/attributes.hpp"
@@ -35,10 +36,24 @@ class RunFile {
   std::size_t add_stream(const std::string& time_name, core::FieldSource& source);
 
   /// Writes one record of a stream; 0 is the first. Throws OutputError(output_failed): before it touches the file if
-  /// the disk has too little room, or after having closed it if a write failed. Nothing can be written after that.
+  /// that is no longer at its path or the disk has too little room, or after having closed it if a write failed. Nothing
+  /// can be written after that.
   void append(const core::Snapshot& snapshot, std::size_t stream = 0);
 
+  /// Goes on where an earlier run's file `earlier` is to end: takes over the first n_records[i] records of each stream i
+  /// and its history, then takes its place by rename; a reader of the earlier file keeps what it has open. To be called
+  /// after the last add_stream() and before the first append(). Throws OutputError(bad_restart) where `earlier` does not
+  /// hold those records, OutputError(output_failed) where they cannot be written; `earlier` is then as it was.
+  void take_place_of(const std::filesystem::path& earlier, const std::vector<std::size_t>& n_records);
+
+  /// Brings all records to disk (append() alone leaves them to the system): they then survive a loss of power. Throws
+  /// OutputError(output_failed).
+  void bring_to_disk();
+
+  [[nodiscard]] std::size_t n_streams() const;
   [[nodiscard]] std::size_t n_records(std::size_t stream = 0) const;
+  /// Time of a stream's last record [s]; -infinity without one.
+  [[nodiscard]] double last_time(std::size_t stream = 0) const;
 
   /// Throws OutputError(output_failed) if what was written is not all on disk.
   void close();

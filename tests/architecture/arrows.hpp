@@ -20,6 +20,7 @@ inline const std::vector<Family>& families() {
       {"SuiteSparse", R"((suitesparse/.*)|(klu|umfpack|c?colamd|c?amd|btf|cholmod|SuiteSparse_config|metis)\.h)",
        "klu|umfpack|c?colamd|c?amd|btf|cholmod|suitesparseconfig|metis", "integrators/"},
       {"netCDF", R"(netcdf.*)", "PkgConfig::NETCDF", "src/output/"},
+      {"Nettle", R"(nettle/.*)", "PkgConfig::NETTLE", "src/output/"},
       {"TOML", R"(toml.*)", "tomlplusplus::.*", "src/config/"},
       {"CLI11", R"(CLI/.*)", "CLI11::.*", "src/app/"},
       {"spdlog", R"((spdlog|fmt)/.*)", "spdlog::.*", "src/app/"},

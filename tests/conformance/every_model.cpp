@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include <algorithm>
 #include "app/models.hpp"
 #include "ida/ida.hpp"
 #include "support/example_scene.hpp"

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "ida/ida.hpp"
 #include "layer/layer.hpp"
 #include "support/example_scene.hpp"
 #include "support/random_state.hpp"

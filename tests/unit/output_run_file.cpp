@@ -181,5 +181,87 @@ TEST(RunFileSources, WrongShapesAreNamed) {
             "output dimension 'column' has two lengths, 5 and 6");
 }
 
+/// A file of two streams: HeapFields at 0.5, 2 and 3 s, statistics at 0.5, 1, 2 and 3 s.
+void write_two_streams(const std::filesystem::path& path) {
+  HeapFields fields;
+  StatisticsFields counters;
+  RunFile file(path, fields, {{"history", "first"}});
+  const auto second = file.add_stream("series_time", counters);
+  core::Statistics statistics;
+  for (const double t : {0.5, 1.0, 2.0, 3.0}) {
+    statistics.steps = static_cast<std::int64_t>(100.0 * t);
+    file.append(at(t, statistics), second);
+    if (t != 1.0) file.append(at(t, statistics));
+  }
+}
+
+TEST_F(RunFileTest, GoesOnWhereAnEarlierFileIsToEnd) {
+  const auto earlier = folder / "two.nc";
+  write_two_streams(earlier);
+  const NcReader before(earlier);
+  HeapFields fields;
+  StatisticsFields counters;
+  RunFile file(folder / "two.nc.part", fields, {{"history", "second"}});
+  file.add_stream("series_time", counters);
+  file.take_place_of(earlier, {1, 2});
+  EXPECT_EQ(file.last_time(0), 0.5);
+  EXPECT_EQ(file.last_time(1), 1.0);
+  statistics.steps = 7;
+  file.append(at(4.0, statistics), 1);
+  file.append(at(4.0, statistics));
+  file.close();
+  EXPECT_FALSE(std::filesystem::exists(folder / "two.nc.part"));
+
+  const NcReader run(earlier);
+  EXPECT_EQ(run.values("time"), (std::vector<double>{0.5, 4.0}));
+  EXPECT_EQ(run.values("series_time"), (std::vector<double>{0.5, 1.0, 4.0}));
+  EXPECT_EQ(run.values("n_steps"), (std::vector<double>{50.0, 100.0, 7.0}));
+  EXPECT_EQ(run.values("x"), before.values("x"));
+  EXPECT_EQ(run.text("", "history"), "first\nsecond");
+  const auto speed = run.values("speed"), speed_before = before.values("speed");
+  const std::size_t n = HeapFields::n_columns * HeapFields::n_layers;
+  EXPECT_TRUE(std::isnan(speed[0]) && std::isinf(speed[1]));
+  EXPECT_TRUE(std::equal(speed.begin() + 1, speed.begin() + n, speed_before.begin() + 1));
+  EXPECT_EQ(run.values("height").back(), HeapFields::value(4.0, HeapFields::n_columns - 1));
+  EXPECT_EQ(before.values("time"), (std::vector<double>{0.5, 2.0, 3.0})) << "a reader keeps what it has open";
+}
+
+TEST_F(RunFileTest, RefusesToGoOnFromAFileThatLacksRecords) {
+  HeapFields fields;
+  const auto aside = folder / "run.nc.part";
+  const auto code_of = [&](const std::filesystem::path& earlier, std::size_t n) {
+    RunFile file(aside, fields, {});
+    try {
+      file.take_place_of(earlier, {n});
+    } catch (const core::OutputError& error) { return error.code(); }
+    return core::ExitCode::ok;
+  };
+  EXPECT_EQ(code_of(path, 3), core::ExitCode::bad_restart);
+  EXPECT_EQ(code_of(folder / "none.nc", 0), core::ExitCode::bad_restart);
+  std::ofstream(folder / "rubbish.nc") << "not netCDF";
+  EXPECT_EQ(code_of(folder / "rubbish.nc", 0), core::ExitCode::bad_restart);
+  EXPECT_FALSE(std::filesystem::exists(aside));
+  EXPECT_EQ(NcReader(path).values("time").size(), 2U) << "the earlier file is as it was";
+  EXPECT_EQ(code_of(path, 2), core::ExitCode::ok);
+}
+
+TEST_F(RunFileTest, NoticesThatItsFileIsGone) {
+  HeapFields fields;
+  for (const bool replaced : {false, true}) {
+    const auto other = folder / (replaced ? "b.nc" : "a.nc");
+    RunFile file(other, fields, {});
+    file.append(at(0.0, statistics));
+    std::filesystem::remove(other);
+    if (replaced) std::ofstream(other) << "another";
+    try {
+      file.append(at(1.0, statistics));
+      ADD_FAILURE() << "a record went to a file without a name";
+    } catch (const core::OutputError& error) {
+      EXPECT_EQ(error.code(), core::ExitCode::output_failed);
+      EXPECT_NE(std::string(error.what()).find("removed or replaced"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace talus::output
