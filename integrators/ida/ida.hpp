@@ -28,12 +28,8 @@ class Ida final : public core::Integrator {
   [[nodiscard]] core::Snapshot current() const override;
   [[nodiscard]] std::string describe() const override;
 
-  /// Starts afresh at a checkpoint: from `state`, which current() of this or of another Ida on the same system gave, and
-  /// `linear_solver` of the same moment; goes on counting from its statistics. What follows depends on these two alone:
-  /// a run continued from a checkpoint and the run that wrote it, both having come through here, are equal bit by bit.
-  void resume(const core::Snapshot& state, const std::string& linear_solver);
-  /// The linear solver and ordering that trials on the first matrix came to; "" before it.
-  [[nodiscard]] std::string linear_solver() const;
+  void resume(const core::Snapshot& state, const std::string& linear_solver) override;
+  [[nodiscard]] std::string linear_solver() const override;
 
  private:
   void begin(const core::Snapshot& state);

@@ -87,6 +87,15 @@ void Kinsol::start(double t, std::span<const double> y, std::span<const double> 
   p.started = true;
 }
 
+void Kinsol::resume(const core::Snapshot& state, const std::string& linear_solver) {
+  const core::Statistics statistics = state.statistics;
+  parts_->equations.renew_solver(linear_solver);
+  start(state.t, state.y, state.yp);
+  parts_->statistics = statistics;
+}
+
+std::string Kinsol::linear_solver() const { return parts_->equations.solver().chosen(); }
+
 bool Kinsol::advance(double t_out, core::Observer& observer) {
   auto& p = *parts_;
   if (!p.started) throw std::logic_error("Kinsol::advance before start");

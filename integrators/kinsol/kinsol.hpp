@@ -27,6 +27,8 @@ class Kinsol final : public core::Integrator {
   /// y' is zero.
   [[nodiscard]] core::Snapshot current() const override;
   [[nodiscard]] std::string describe() const override;
+  void resume(const core::Snapshot& state, const std::string& linear_solver) override;
+  [[nodiscard]] std::string linear_solver() const override;
 
  private:
   struct Parts;

@@ -1,5 +1,8 @@
 #include "app/command_line.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -37,9 +40,8 @@ std::string explanation(const std::string& section) {
   return explain(sweeps.find_section(section) != nullptr ? sweeps : scene_schema(), section);
 }
 
-void add_scene(CLI::App& command, RunRequest& request) {
-  command.add_option("scene", request.scene_file, "scene file (TOML)")->required()->type_name("SCENE.toml");
-  command.add_option("--set", request.overrides, "replace a value of the scene; may be repeated")
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "replace a value of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -53,9 +55,7 @@ void add_sweep(CLI::App& program, SweepRequest& request, int& code) {
   command->add_option("sweep", request.file, "sweep file (TOML); talus explain sweep")
       ->required()
       ->type_name("SWEEP.toml");
-  command->add_option("--set", request.overrides, "replace a value of every member's scene; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*command, request.overrides);
   command->add_option("--out", request.out, "folder of the sweep; default out/<sweep.name>")->type_name("DIR");
   command->add_option("--jobs", request.jobs, "members at a time; default one on each core")
       ->type_name("N")
@@ -80,14 +80,20 @@ void add_collect(CLI::App& program, std::filesystem::path& folder, std::vector<s
   command->callback([&] { collect(folder, series, typed); });
 }
 
+void add_scene(CLI::App& command, RunRequest& request) {
+  command.add_option("scene", request.scene_file, "scene file (TOML)")->required()->type_name("SCENE.toml");
+  add_overrides(command, request.overrides);
+}
+
 int act(int argc, const char* const* argv) {
   CLI::App program("Talus: dense granular flow, from a scene file to a netCDF file.");
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text());
   program.footer(
-      "Exit codes: 0 done, 1 internal error, 2 command line or scene, 3 output folder, 5 writing failed, 6 solver,\n"
-      "7 folder in use, 8 memory, 9 members of a sweep failed, 75 a sweep was stopped: the same command goes on,\n"
-      "128 + signal a run was stopped by SIGINT or SIGTERM.");
+      "Exit codes: 0 done, 1 internal error, 2 command line or scene, 3 output folder, 4 cannot be continued,\n"
+      "5 writing failed or disk full, 6 solver, 7 folder in use, 8 memory, 9 members of a sweep failed,\n"
+      "75 stopped by SIGINT, SIGTERM or its wall limit: `talus restart`, for a sweep the same command, goes on.\n"
+      "SIGUSR1 asks for a checkpoint.");
 
   int code = 0;
   RunRequest request;
@@ -101,6 +107,16 @@ int act(int argc, const char* const* argv) {
     if (*out_option) request.out = out;
     code = run(request);
   });
+
+  RestartRequest again;
+  again.command = request.command;
+  auto* restart_command = program.add_subcommand("restart", "go on with the run in a folder, from its last checkpoint");
+  restart_command->add_option("folder", again.folder, "output folder of the run")->required()->type_name("DIR");
+  add_overrides(*restart_command, again.overrides);
+  restart_command->add_option("--allow", again.allowed, "let a key differ from the checkpoint; may be repeated")
+      ->type_name("KEY")
+      ->allow_extra_args(false);
+  restart_command->callback([&] { code = restart(again); });
 
   auto* check_command = program.add_subcommand("check", "validate a scene; say what it costs and what theory expects");
   add_scene(*check_command, request);
@@ -142,10 +158,19 @@ int act(int argc, const char* const* argv) {
   return code;
 }
 
+/// A closed standard stream would make the next file opened take its number, and messages would go into run.nc.
+void keep_standard_streams() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
+  if (file > STDERR_FILENO) close(file);
+}
+
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of the write, not a death
+  std::signal(SIGPIPE, SIG_IGN);  // a run goes on when nobody listens to it any more
+  keep_standard_streams();
   try {
     return act(argc, argv);
   } catch (const std::exception& error) {

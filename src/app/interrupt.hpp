@@ -4,20 +4,24 @@
 
 namespace talus::app {
 
-/// While alive, SIGINT and SIGTERM ask for a clean stop after the current step. A second signal of the same kind ends
-/// the program at once. At most one object at a time.
+/// While alive, SIGINT and SIGTERM ask for a clean stop after the current step, SIGUSR1 for a checkpoint. A second SIGINT
+/// (or SIGTERM) ends the program at once. At most one object at a time.
 class Interrupt {
  public:
   Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
   ~Interrupt();
-  /// The signal that arrived, or 0.
-  [[nodiscard]] int signal() const;
+  /// The signal that asked to stop, or 0.
+  [[nodiscard]] int stop() const;
+  /// A checkpoint was asked for and is not yet answered.
+  [[nodiscard]] bool save() const;
+  void answered_save();
 
  private:
   struct sigaction old_interrupt_ {};
   struct sigaction old_terminate_ {};
+  struct sigaction old_user_ {};
 };
 
 }  // namespace talus::app

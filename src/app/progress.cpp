@@ -17,22 +17,27 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 }  // namespace
 
-Progress::Progress(double end, std::FILE* stream)
-    : end_(end), stream_(stream), terminal_(isatty(fileno(stream)) != 0), begin_(Clock::now()), last_(begin_) {}
+Progress::Progress(double start, double end, std::FILE* stream)
+    : start_(start),
+      end_(end),
+      stream_(stream),
+      terminal_(isatty(fileno(stream)) != 0),
+      begin_(Clock::now()),
+      last_(begin_) {}
 
 void Progress::show(const core::Snapshot& snapshot) {
   const auto now = Clock::now();
   if (seconds(now - last_) < (terminal_ ? seconds_between_bars : seconds_between_lines)) return;
   last_ = now;
   shown_ = true;
-  const double fraction = snapshot.t / end_, wall = seconds(now - begin_);
-  const std::string left = fraction > 0.0 ? duration(wall * (1.0 - fraction) / fraction) : "unknown";
+  const double wall = seconds(now - begin_), done = snapshot.t - start_;
+  const std::string left = done > 0.0 ? duration(wall * (end_ - snapshot.t) / done) : "unknown";
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "t = %.3f of %g s, step %.2e s, order %d, %lld steps, left about %s",
                 snapshot.t, end_, snapshot.statistics.last_step, snapshot.statistics.order,
                 static_cast<long long>(snapshot.statistics.steps), left.c_str());
   if (terminal_) {
-    std::fprintf(stream_, "\r%s %s\033[K", bar(fraction, bar_width).c_str(), text.data());
+    std::fprintf(stream_, "\r%s %s\033[K", bar(snapshot.t / end_, bar_width).c_str(), text.data());
   } else {
     std::fprintf(stream_, "%s\n", text.data());
   }

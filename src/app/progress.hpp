@@ -11,8 +11,8 @@ namespace talus::app {
 /// Tells on a stream how far a run is: a bar on a terminal, a plain line every few seconds elsewhere.
 class Progress {
  public:
-  /// `end` [s] of simulated time, which starts at 0.
-  Progress(double end, std::FILE* stream);
+  /// From `start` to `end` [s] of simulated time.
+  Progress(double start, double end, std::FILE* stream);
   /// Prints if enough wall time has passed since the last time.
   void show(const core::Snapshot& snapshot);
   /// Ends the bar's line.
@@ -20,7 +20,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  double end_;
+  double start_, end_;
   std::FILE* stream_;
   bool terminal_;
   Clock::time_point begin_;

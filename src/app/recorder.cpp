@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/versions.hpp"
+#include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
 
 namespace talus::app {
@@ -28,7 +29,7 @@ output::Attributes attributes_of(const Scene& scene, const Theory& theory, const
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder,
-                   const std::string& command, Summary& summary)
+                   const std::string& command, Summary& summary, const output::Checkpoint* from)
     : recording_(scene.recording),
       summary_(summary),
       model_(model),
@@ -38,8 +39,20 @@ Recorder::Recorder(const Scene& scene, const Theory& theory, core::FieldSource& 
       numbers_(model_, Selection::numbers),
       lines_(model_, Selection::series),
       series_({lines_, statistics_}),
-      file_(folder.data(), fields_and_exact_, attributes_of(scene, theory, command)),
-      series_stream_(file_.add_stream("series_time", series_)) {}
+      file_(from == nullptr ? folder.data() : output::aside(folder.data()), fields_and_exact_,
+            attributes_of(scene, theory, command)),
+      series_stream_(file_.add_stream("series_time", series_)) {
+  if (from == nullptr) return;
+  file_.take_place_of(folder.data(), from->n_records);
+  last_ = file_.last_time(series_stream_);
+}
+
+std::vector<std::size_t> Recorder::bring_to_disk() {
+  file_.bring_to_disk();
+  std::vector<std::size_t> n;
+  for (std::size_t i = 0; i < file_.n_streams(); ++i) n.push_back(file_.n_records(i));
+  return n;
+}
 
 void Recorder::at_output(const core::Snapshot& snapshot) {
   series(snapshot, std::ranges::binary_search(recording_.listed_times, snapshot.t));

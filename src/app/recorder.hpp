@@ -16,14 +16,17 @@ namespace talus::app {
 /// numbers also go to the summary.
 class Recorder {
  public:
-  /// Creates run.nc. All arguments must outlive this. Throws core::OutputError.
+  /// Creates run.nc, or goes on with the records that belong to the checkpoint `from`, if any. All arguments but `from`
+  /// must outlive this. Throws core::OutputError.
   Recorder(const Scene& scene, const Theory& theory, core::FieldSource& model, const RunFolder& folder,
-           const std::string& command, Summary& summary);
+           const std::string& command, Summary& summary, const output::Checkpoint* from);
 
   /// Records at a series time; fields too if it is one of their times. Throws core::OutputError(output_failed).
   void at_output(const core::Snapshot& snapshot);
   /// Records everything, whatever the time: the last state of a run that ends early.
   void at_end(const core::Snapshot& snapshot);
+  /// Records in each stream, all of them on disk when this returns. Throws core::OutputError(output_failed).
+  [[nodiscard]] std::vector<std::size_t> bring_to_disk();
   /// Throws core::OutputError(output_failed).
   void close() { file_.close(); }
 

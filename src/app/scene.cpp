@@ -1,6 +1,7 @@
 #include "app/scene.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -22,18 +23,26 @@ double number_or(const Values& v, std::string_view key, double absent) { return 
 
 int small_integer(const Values& v, std::string_view key) { return static_cast<int>(v.integer(key)); }
 
-/// `times`, multiples of `interval`, 0 and `end`, ascending; a multiple within rounding of a listed time is that time.
-std::vector<double> record_times(std::vector<double> times, std::optional<double> interval, double end) {
+/// Multiples of `interval` up to `end`, ascending; one within rounding of a time in `known` (ascending, `end` is in it) is that
+/// time.
+std::vector<double> multiples(double interval, double end, const std::vector<double>& known) {
+  std::vector<double> times;
+  const double close = 1e-9 * std::max(end, interval);
+  for (std::int64_t k = 1; static_cast<double>(k) * interval <= end + close; ++k) {
+    const double t = static_cast<double>(k) * interval;
+    const auto next = std::ranges::lower_bound(known, t - close);
+    times.push_back(next == known.end() || *next > t + close ? t : *next);
+  }
+  return times;
+}
+
+/// `times`, multiples of `interval` (0: none), 0 and `end`, ascending.
+std::vector<double> record_times(std::vector<double> times, double interval, double end) {
   times.insert(times.end(), {0.0, end});
   std::ranges::sort(times);
-  if (interval) {
-    const std::vector<double> listed = times;
-    const double close = 1e-9 * std::max(end, *interval);
-    for (std::int64_t k = 1; static_cast<double>(k) * *interval < end; ++k) {
-      const double t = static_cast<double>(k) * *interval;
-      const auto next = std::ranges::lower_bound(listed, t - close);
-      if (next == listed.end() || *next > t + close) times.push_back(t);
-    }
+  if (interval > 0.0) {
+    const auto more = multiples(interval, end, times);
+    times.insert(times.end(), more.begin(), more.end());
     std::ranges::sort(times);
   }
   times.erase(std::ranges::unique(times).begin(), times.end());
@@ -123,13 +132,22 @@ Integration integration_of(const Values& v) {
 }
 
 Recording recording_of(const Values& v, double end) {
-  const auto interval = v.has("output.interval") ? std::optional(v.number("output.interval")) : std::nullopt;
   Recording r;
   r.fields = v.boolean("output.fields");
   r.listed_times = v.numbers("output.times");
-  r.field_times = record_times(r.listed_times, interval, end);
+  r.field_times = record_times(r.listed_times, number_or(v, "output.interval", 0.0), end);
   r.series_times = record_times(r.field_times, v.number("output.series_interval"), end);
   return r;
+}
+
+Checkpointing checkpointing_of(const Values& v, double end, const std::vector<double>& series_times) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const bool by_interval = v.has("checkpoint.interval");
+  return {.exact = v.boolean("checkpoint.exact"),
+          .times = by_interval ? multiples(v.number("checkpoint.interval"), end, series_times) : std::vector<double>{},
+          .by_interval = by_interval,
+          .wall_interval = number_or(v, "checkpoint.wall_interval", never),
+          .wall_limit = number_or(v, "checkpoint.wall_limit", never)};
 }
 
 Scene scene_of(const Values& v) {
@@ -157,6 +175,7 @@ Scene scene_of(const Values& v) {
   } catch (const std::invalid_argument& error) { problems.add(v.place("rheology.law"), "rheology.law", error.what()); }
   problems.throw_if_any();
   scene.recording = recording_of(v, scene.end);
+  scene.checkpointing = checkpointing_of(v, scene.end, scene.recording.series_times);
   scene.effective = v.to_toml();
   return scene;
 }

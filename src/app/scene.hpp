@@ -54,6 +54,18 @@ struct Recording {
   std::vector<double> listed_times;  ///< those of `output.times`, reported in summary.json
 };
 
+/// When a run saves what it needs to go on later, and when it ends of itself. Wall times [s] are infinite where none is set.
+struct Checkpointing {
+  bool exact;                 ///< the run starts afresh at each checkpoint, as one that is continued from there does
+  std::vector<double> times;  ///< simulated [s], ascending: multiples of `interval` up to the end
+  bool by_interval;           ///< an interval is set, though no multiple may lie before the end
+  double wall_interval;       ///< between checkpoints
+  double wall_limit;          ///< of this run; it then stops as on SIGTERM
+  /// Checkpoints that a clock or a signal brings about would change the bits of an exact run: where an interval is set,
+  /// a stop leaves the last one in place instead.
+  [[nodiscard]] bool saves_at_a_stop() const { return !(exact && by_interval); }
+};
+
 /// A scene as its file states it, in SI units and radians, checked.
 struct Scene {
   std::string name;
@@ -73,6 +85,7 @@ struct Scene {
   Integration integration;
   double end;  ///< [s]
   Recording recording;
+  Checkpointing checkpointing;
   std::string effective;  ///< the scene as TOML, overrides applied and defaults filled in
 };
 

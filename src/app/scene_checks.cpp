@@ -77,9 +77,9 @@ class CrossChecks {
       refuse("output.times",
              "expected times up to time.end = " + config::to_toml(end) + " s, found " + config::to_toml(listed.back()));
     }
-    for (const char* key : {"output.interval", "output.series_interval"}) {
+    for (const char* key : {"output.interval", "output.series_interval", "checkpoint.interval"}) {
       if (v_.has(key) && end / v_.number(key) > most)
-        refuse(key, "would make more than a million records; expected a longer interval [s]");
+        refuse(key, "would come more than a million times; expected a longer interval [s]");
     }
   }
 

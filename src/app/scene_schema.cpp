@@ -178,6 +178,18 @@ void numerics(Schema& s) {
   s.add(number("interval", "s", "further field records at its multiples").above(0.0).optional("none"));
   s.add(boolean("fields", "record the two-dimensional fields; without them only surface and series").fallback(true));
   s.add(number("series_interval", "s", "budgets, angles and statistics at its multiples").above(0.0).fallback(1.0));
+
+  s.section("checkpoint",
+            "what a run saves so that `talus restart` can go on; a stop by a signal saves one in any case");
+  s.add(number("interval", "s", "simulated time between checkpoints, at its multiples").above(0.0).optional("none"));
+  s.add(number("wall_interval", "s", "wall time between checkpoints").above(0.0).optional("none"));
+  s.add(boolean("exact",
+                "start afresh at each: a continued run then has the same bits as the one that wrote it, and with an "
+                "interval as one that was never stopped")
+            .fallback(true));
+  s.add(number("wall_limit", "s", "wall time after which the run saves a checkpoint and ends with exit code 75")
+            .above(0.0)
+            .optional("no limit"));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "app/versions.hpp"
 #include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
@@ -14,20 +16,13 @@ using Json = nlohmann::ordered_json;
 double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
 Json counters(const core::Statistics& s) {
-  return {{"steps", s.steps},
-          {"error_test_failures", s.error_test_failures},
-          {"newton_failures", s.newton_failures},
-          {"newton_iterations", s.newton_iterations},
-          {"residuals", s.residuals},
-          {"jacobians", s.jacobians},
-          {"factorisations", s.factorisations},
-          {"solves", s.solves},
-          {"inadmissible_states", s.inadmissible_states},
-          {"restarts", s.restarts},
-          {"cpu_residual", s.seconds_residual},
-          {"cpu_jacobian", s.seconds_jacobian},
-          {"cpu_factor", s.seconds_factor},
-          {"cpu_solve", s.seconds_solve}};
+  Json all;
+  core::for_each_counter(s, [&](const char* name, auto value) { all[name] = value; });
+  return all;
+}
+
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -44,7 +39,9 @@ Summary::Summary(const Scene& scene, const std::vector<std::string>& warnings)
             {"libraries", library_versions()},
             {"warnings", warnings},
             {"simulated_seconds", 0.0},
-            {"end_seconds", scene.end}} {
+            {"end_seconds", scene.end},
+            {"checkpoint_seconds", nullptr},
+            {"continued_from", Json::array()}} {
   json_["records"] = Json::array();
 }
 
@@ -58,17 +55,40 @@ void Summary::record(const core::Snapshot& snapshot, const std::vector<core::Var
   json_["final"] = std::move(now);
 }
 
-void Summary::write(const std::filesystem::path& path, const std::string& status, int exit_code,
-                    const std::string& reason) {
+void Summary::continue_from(double t, const std::string& state) {
+  const Json before = Json::parse(state);
+  for (const char* key : {"records", "final", "statistics", "simulated_seconds", "continued_from", "wall_seconds",
+                          "cpu_seconds", "peak_memory_bytes"})
+    if (before.contains(key)) json_[key] = before[key];
+  json_["continued_from"].push_back(t);
+  saved(t);
+}
+
+std::optional<double> Summary::saved() const {
+  const auto& t = json_["checkpoint_seconds"];
+  return t.is_null() ? std::nullopt : std::optional(t.get<double>());
+}
+
+nlohmann::ordered_json Summary::with_times() const {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
+  Json json = json_;
+  const auto add = [&](const char* key, double now) { json[key] = json_.value(key, 0.0) + now; };
+  add("wall_seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+  add("cpu_seconds", seconds(usage.ru_utime) + seconds(usage.ru_stime));
+  json["peak_memory_bytes"] =
+      std::max(json_.value("peak_memory_bytes", std::int64_t{0}), static_cast<std::int64_t>(usage.ru_maxrss) * 1024);
+  return json;
+}
+
+std::string Summary::state() const { return text_of(with_times(), -1); }
+
+void Summary::write(const std::filesystem::path& path, const std::string& status, int exit_code,
+                    const std::string& reason) {
   json_["status"] = status;
   json_["exit_code"] = exit_code;
   json_["reason"] = reason.empty() ? Json(nullptr) : Json(reason);
-  json_["wall_seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  json_["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  json_["peak_memory_bytes"] = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-  output::write_atomically(path, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  output::write_atomically(path, text_of(with_times(), 2) + "\n");
 }
 
 }  // namespace talus::app

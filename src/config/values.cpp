@@ -26,6 +26,11 @@ const std::vector<Values>& Values::tables(std::string_view section) const {
   return found == tables_.end() ? none : found->second;
 }
 
+std::string Values::toml(std::string_view name) const {
+  const auto found = entries_.find(name);
+  return found == entries_.end() ? "" : config::to_toml(found->second.value);
+}
+
 std::string Values::place(std::string_view name) const {
   const auto found = entries_.find(name);
   return found == entries_.end() || found->second.place.empty() ? file_ : found->second.place;
@@ -56,6 +61,17 @@ std::string Values::to_toml() const {
     }
   }
   return out;
+}
+
+std::vector<Difference> differences(const Values& before, const Values& after) {
+  std::vector<Difference> all;
+  for (const auto& section : before.schema().sections()) {
+    for (const auto& key : section.keys) {
+      Difference each{key.name, before.toml(key.name), after.toml(key.name)};
+      if (each.before != each.after) all.push_back(std::move(each));
+    }
+  }
+  return all;
 }
 
 }  // namespace talus::config

@@ -36,7 +36,8 @@ class Values {
   }
   /// The tables of a repeated section as they stand in the file, each with its own values of the section's keys.
   [[nodiscard]] const std::vector<Values>& tables(std::string_view section) const;
-
+  /// The value as TOML; "" for a key that is absent.
+  [[nodiscard]] std::string toml(std::string_view name) const;
   /// Where the key was given: "scene.toml:12:1", "--set", or the file's name for a default.
   [[nodiscard]] std::string place(std::string_view name) const;
   /// Stores a value that its key accepts. An empty place marks a default.
@@ -59,5 +60,14 @@ class Values {
   std::map<std::string, Entry, std::less<>> entries_;
   std::map<std::string, std::vector<Values>, std::less<>> tables_;
 };
+
+/// A key with one value here and another there, as TOML; "" where it is absent.
+struct Difference {
+  std::string key;
+  std::string before, after;
+};
+
+/// Keys on which two sets of values of one schema differ, in the schema's order.
+std::vector<Difference> differences(const Values& before, const Values& after);
 
 }  // namespace talus::config

@@ -35,6 +35,13 @@ class Integrator {
   /// current time is below t_out. Throws IntegrationError.
   virtual bool advance(double t_out, Observer& observer) = 0;
   [[nodiscard]] virtual Snapshot current() const = 0;
+  /// Starts afresh at a checkpoint: from `state`, which current() of this or of another such integrator on the same system
+  /// gave, and `linear_solver` of the same moment; goes on counting from its statistics. What follows depends on these two
+  /// alone: a run continued from a checkpoint and the run that wrote it, both having come through here, are equal bit by
+  /// bit.
+  virtual void resume(const Snapshot& state, const std::string& linear_solver) = 0;
+  /// The linear solver and ordering that trials on the first matrix came to; "" before it.
+  [[nodiscard]] virtual std::string linear_solver() const = 0;
   /// One line naming integrator, linear solver, ordering and their versions.
   [[nodiscard]] virtual std::string describe() const = 0;
 };

@@ -46,19 +46,23 @@ bool write_all(int descriptor, std::string_view text) {
 
 void write_atomically(const std::filesystem::path& path, std::string_view text) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const std::filesystem::path aside = path.string() + ".part-" + std::to_string(getpid());
+  const std::filesystem::path beside = aside(path);
   const auto fail = [&] {
     const std::string reason = std::strerror(errno);
-    ::unlink(aside.c_str());
+    ::unlink(beside.c_str());
     throw core::OutputError(core::ExitCode::output_failed, "cannot write " + path.string() + ": " + reason);
   };
-  Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file.valid() || !write_all(file.number(), text) || ::fsync(file.number()) != 0 || !file.close()) fail();
-  if (::rename(aside.c_str(), path.c_str()) != 0) fail();
+  if (::rename(beside.c_str(), path.c_str()) != 0) fail();
   // The new name itself lives in the folder. Some file systems cannot bring a folder to disk: the text is safe
   // regardless.
   const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.valid()) ::fsync(directory.number());
+}
+
+std::filesystem::path aside(const std::filesystem::path& path) {
+  return path.string() + ".part-" + std::to_string(getpid());
 }
 
 void bring_to_disk(const std::filesystem::path& path) {

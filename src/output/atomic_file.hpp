@@ -10,6 +10,9 @@ namespace talus::output {
 /// it was.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// A path beside `path` for what is to take its place: "run.nc.part-" and the number of this process.
+[[nodiscard]] std::filesystem::path aside(const std::filesystem::path& path);
+
 /// Brings what was written to a file to disk. Throws OutputError(output_failed).
 void bring_to_disk(const std::filesystem::path& path);
 

@@ -100,7 +100,7 @@ void write_table(const std::filesystem::path& path, const Table& table) {
   const std::filesystem::path aside = path.string() + ".part-" + std::to_string(getpid());
   std::error_code error;
   try {
-    NcFile file(aside, true);
+    NcFile file(aside, Access::replace);
     TableWriter(file.id(), table).write();
     good(file.close(), "closing " + aside.string());
     std::filesystem::rename(aside, path, error);

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <set>
 
-#include <algorithm>
 #include "app/models.hpp"
 #include "ida/ida.hpp"
 #include "support/example_scene.hpp"

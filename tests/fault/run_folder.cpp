@@ -1,35 +1,19 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <thread>
 
-#include "support/program.hpp"
+#include "support/small_runs.hpp"
 
 /// What can go wrong with the output folder and during a run, through the program.
 namespace {
-using talus::support::contents;
-using talus::support::Outcome;
-using talus::support::outcome_of;
-using talus::support::Program;
-using talus::support::TemporaryFolder;
-
-const std::string chute = TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml";
+using namespace talus::support;
 
 Outcome run_into(const std::filesystem::path& folder, std::vector<std::string> more = {}, rlim_t file_size_limit = 0) {
-  std::vector<std::string> arguments{"run",   chute,          "--set", "time.end=0.01", "--set", "output.times=[]",
-                                     "--out", folder.string()};
+  std::vector<std::string> arguments{"run",   chute_scene,       "--set", "time.end=0.01",
+                                     "--set", "output.times=[]", "--out", folder.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return outcome_of(TALUS_PROGRAM, arguments, file_size_limit);
 }
-
-nlohmann::json summary_in(const std::filesystem::path& folder) {
-  return nlohmann::json::parse(contents(folder / "summary.json"));
-}
-
-bool says(const Outcome& outcome, const std::string& words) { return outcome.output.find(words) != std::string::npos; }
 
 TEST(RunFolder, ThatCannotBeMadeIsRefused) {
   const TemporaryFolder folder;
@@ -47,7 +31,8 @@ TEST(RunFolder, ThatHoldsARunIsRefusedUnlessForced) {
 
   const Outcome again = run_into(folder / "out");
   EXPECT_EQ(again.code, 3);
-  EXPECT_TRUE(says(again, "holds a run already (run.nc); --force replaces it, --out names another folder"))
+  EXPECT_TRUE(says(again, "holds a run already, with a checkpoint at t = 0.01 s: `talus restart " +
+                              (folder / "out").string() + "` goes on from there; --force begins anew"))
       << again.output;
   EXPECT_EQ(contents(folder / "out" / "summary.json"), before);
 
@@ -86,39 +71,5 @@ TEST(RunFolder, SolverThatGivesUpNamesTheWorstRowsAndLeavesASummary) {
   EXPECT_EQ(summary["exit_code"], 6);
   EXPECT_NE(summary["reason"].get<std::string>().find("IDA_ERR_FAIL"), std::string::npos) << summary["reason"];
   EXPECT_NE(summary["integrator"].get<std::string>().find("SUNDIALS IDA"), std::string::npos);
-}
-
-/// Starts a run that would take minutes and waits until it integrates.
-class LongRun : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto log = folder_ / "out" / "run.log";
-    for (int i = 0; i < 3000 && contents(log).find("steps") == std::string::npos && program_.running(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    ASSERT_TRUE(program_.running()) << program_.output();
-  }
-
-  TemporaryFolder folder_;
-  Program program_{TALUS_PROGRAM,
-                   {"run", chute, "--set", "time.end=100", "--set", "integrator.max_step=1e-5", "--set",
-                    "output.series_interval=1e-4", "--out", (folder_ / "out").string()}};
-};
-
-TEST_F(LongRun, LocksItsFolder) {
-  const Outcome second = run_into(folder_ / "out", {"--force"});
-  EXPECT_EQ(second.code, 7);
-  EXPECT_TRUE(says(second, "another run is writing to it")) << second.output;
-}
-
-TEST_F(LongRun, StopsCleanlyOnASignal) {
-  program_.send(SIGTERM);
-  EXPECT_EQ(program_.wait(), 128 + SIGTERM);
-  const auto summary = summary_in(folder_ / "out");
-  EXPECT_EQ(summary["status"], "stopped");
-  EXPECT_EQ(summary["exit_code"], 128 + SIGTERM);
-  EXPECT_EQ(summary["reason"], "stopped by signal 15");
-  EXPECT_GT(summary["simulated_seconds"].get<double>(), 0.0);
-  EXPECT_LT(summary["simulated_seconds"].get<double>(), 100.0);
 }
 }  // namespace

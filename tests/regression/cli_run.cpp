@@ -56,7 +56,7 @@ TEST(Cli, ListsEveryExampleAndExplainsEverySection) {
   for (const auto& file : scenes()) EXPECT_TRUE(says(list, file.filename().string() + ": ")) << list.output;
   const Outcome explained = talus({"explain"});
   for (const char* section :
-       {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator", "time", "output"}) {
+       {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator", "time", "output", "checkpoint"}) {
     EXPECT_TRUE(says(explained, "[" + std::string(section) + "]")) << section;
     EXPECT_EQ(talus({"explain", section}).code, 0);
   }
