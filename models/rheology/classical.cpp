@@ -6,11 +6,12 @@
 
 namespace talus::rheology {
 
-double Classical::inverse(double mu) const {
-  if (mu_s == mu_d) checks::no_inverse(name, mu, "every I has mu_s = mu_d = " + checks::text(mu_s));
-  if (!(mu >= mu_s && mu < mu_d))
-    checks::no_inverse(name, mu, "needs mu_s = " + checks::text(mu_s) + " <= mu < mu_d = " + checks::text(mu_d));
-  return I_0 * ((mu - mu_s) / (mu_d - mu));
+double Classical::inverse(double mu, double less) const {
+  if (mu_s == mu_d) checks::no_inverse(name, mu - less, "every I has mu_s = mu_d = " + checks::text(mu_s));
+  const double above = (mu - mu_s) - less, below = (mu_d - mu) + less;
+  if (!(above >= 0.0 && below > 0.0))
+    checks::no_inverse(name, mu - less, "needs mu_s = " + checks::text(mu_s) + " <= mu < mu_d = " + checks::text(mu_d));
+  return I_0 * (above / below);
 }
 
 Classical classical(double mu_s, double mu_d, double I_0) {

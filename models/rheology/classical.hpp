@@ -24,8 +24,8 @@ struct Classical {
   [[nodiscard]] double slope_at_rest() const { return (mu_d - mu_s) / I_0; }
   /// mu is below it at every I.
   [[nodiscard]] double friction_bound() const { return mu_d; }
-  /// I with mu(I) = mu, for mu_s <= mu < mu_d; else throws std::domain_error.
-  [[nodiscard]] double inverse(double mu) const;
+  /// I with mu(I) = mu - less, for mu_s <= mu - less < mu_d; else throws std::domain_error.
+  [[nodiscard]] double inverse(double mu, double less = 0.0) const;
 };
 
 /// Checked: 0 < mu_s <= mu_d, I_0 > 0, within the ranges that `checks` states. Throws std::invalid_argument naming the

@@ -4,7 +4,9 @@
 
 namespace talus::rheology {
 
-double Constant::inverse(double mu) const { checks::no_inverse(name, mu, "every I has mu_s = " + checks::text(mu_s)); }
+double Constant::inverse(double mu, double less) const {
+  checks::no_inverse(name, mu - less, "every I has mu_s = " + checks::text(mu_s));
+}
 
 Constant constant(double mu_s) {
   checks::friction(Constant::name, "mu_s", mu_s);

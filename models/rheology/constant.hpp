@@ -21,7 +21,7 @@ struct Constant {
   [[nodiscard]] double slope_at_rest() const { return 0.0; }
   [[nodiscard]] double friction_bound() const { return mu_s; }
   /// Throws std::domain_error always: a constant has no inverse.
-  [[noreturn]] double inverse(double mu) const;
+  [[noreturn]] double inverse(double mu, double less = 0.0) const;
 };
 
 /// Checked: mu_s > 0. Throws std::invalid_argument.

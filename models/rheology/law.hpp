@@ -38,9 +38,10 @@ S friction_slope(const Law& law, const S& I) {
       law);
 }
 
-/// I with mu(I) = mu. Throws std::domain_error naming law, mu and the bound where there is none.
-[[nodiscard]] inline double inverse(const Law& law, double mu) {
-  return std::visit([&](const auto& l) -> double { return l.inverse(mu); }, law);
+/// I with mu(I) = mu - less: the two apart, so that a friction however close to mu_s or mu_d, where I hangs on the
+/// difference, can be stated without loss. Throws std::domain_error naming law, mu and the bound where there is none.
+[[nodiscard]] inline double inverse(const Law& law, double mu, double less = 0.0) {
+  return std::visit([&](const auto& l) -> double { return l.inverse(mu, less); }, law);
 }
 
 /// mu(0).

@@ -9,11 +9,12 @@
 
 namespace talus::rheology {
 
-double PartiallyRegularised::inverse(double mu) const {
+double PartiallyRegularised::inverse(double from, double less) const {
+  const double mu = from - less;
   if (!(mu >= 0.0)) checks::no_inverse(name, mu, "needs mu >= 0");
   if (mu > mu_N) {
     // mu_inf I^2 + (mu_d - mu) I = I_0 (mu - mu_s); the form of the root that neither cancels nor overflows.
-    const double b = mu_d - mu, c = I_0 * (mu - mu_s);
+    const double b = (mu_d - from) + less, c = I_0 * ((from - mu_s) - less);
     if (mu_inf == 0.0 && b <= 0.0)
       checks::no_inverse(name, mu, "with mu_inf = 0 needs mu < mu_d = " + checks::text(mu_d));
     const double root = std::hypot(b, 2.0 * std::sqrt(mu_inf) * std::sqrt(c));

@@ -62,9 +62,9 @@ struct PartiallyRegularised {
   [[nodiscard]] double friction_bound() const { return mu_inf > 0.0 ? std::numeric_limits<double>::infinity() : mu_d; }
   /// mu(I_N), where the branches meet.
   [[nodiscard]] double friction_at_I_N() const { return mu_N; }
-  /// I with mu(I) = mu. Throws std::domain_error where mu < 0, where mu_inf = 0 and mu >= mu_d, and where I is beyond
-  /// doubles.
-  [[nodiscard]] double inverse(double mu) const;
+  /// I with mu(I) = mu - less. Throws std::domain_error where that is below 0, where mu_inf = 0 and it is not below mu_d,
+  /// and where I is beyond doubles.
+  [[nodiscard]] double inverse(double mu, double less = 0.0) const;
 
   /// The branch above I_N.
   template <class S>

@@ -5,11 +5,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "rheology/checks.hpp"
+
 namespace talus::steady {
 
 namespace {
 void require(bool ok, const char* name, double value, const char* expected) {
-  if (!ok) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + " must be " + expected);
+  if (!ok)
+    throw std::invalid_argument(std::string(name) + " = " + rheology::checks::text(value) + " must be " + expected);
 }
 }  // namespace
 
@@ -23,10 +26,10 @@ void check(const Channel& channel) {
 
 void check_layer(const Channel& channel, double zeta, double thickness) {
   check(channel);
-  require(zeta > 0.0 && zeta < 0.5 * std::numbers::pi, "zeta", zeta, "between 0 and pi/2 rad");
+  require(zeta > 0.0 && zeta < 0.5 * std::numbers::pi, "zeta", zeta, "above 0 and below pi/2 rad");
   require(thickness > 0.0, "thickness", thickness, "above 0 m");
   require(std::isfinite(thickness) || channel.mu_w > 0.0, "thickness", thickness,
-          "finite where there is no wall friction");
+          "finite where there is no wall friction (mu_w = 0)");
 }
 
 }  // namespace talus::steady

@@ -2,19 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace talus::steady {
 
 namespace {
-
-/// sup of mu(I).
-double largest_friction(const rheology::Law& law) {
-  if (const auto* classical = std::get_if<rheology::Classical>(&law)) return classical->mu_d;
-  if (const auto* constant = std::get_if<rheology::Constant>(&law)) return constant->mu_s;
-  const auto& partial = std::get<rheology::PartiallyRegularised>(law);
-  return partial.mu_inf > 0.0 ? std::numeric_limits<double>::infinity() : partial.mu_d;
-}
 
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
@@ -49,7 +40,7 @@ ProfileProblem::ProfileProblem(const RegularisedLayer& layer, double zeta, int c
 double ProfileProblem::position(double depth) const { return std::asinh(std::sqrt(depth / h0_)) / a_ * size(); }
 
 bool ProfileProblem::solvable() const {
-  const double mu = largest_friction(layer_.channel.law);
+  const double mu = rheology::friction_bound(layer_.channel.law);
   double stress = 0.0;
   for (int i = 0; i < size(); ++i) {
     stress += volume_[i] * (weight_ - full_friction_[i]);

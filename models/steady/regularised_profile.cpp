@@ -7,7 +7,8 @@
 #include <string>
 
 #include "core/bracketed_root.hpp"
-#include "steady/uniform_flow.hpp"
+#include "rheology/checks.hpp"
+#include "steady/slope.hpp"
 
 namespace talus::steady {
 
@@ -55,7 +56,7 @@ double RegularisedProfile::speed(double z) const {
 
 Answer<double> slope_of_flux(const RegularisedLayer& layer, double Q, int cells) {
   if (!(Q > 0.0 && std::isfinite(Q)))
-    throw std::invalid_argument("slope_of_flux: Q = " + std::to_string(Q) + " must be above 0 kg/s");
+    throw std::invalid_argument("slope_of_flux: Q = " + rheology::checks::text(Q) + " must be above 0 kg/s");
   constexpr double flattest = 1e-3, steepest = 0.4999 * std::numbers::pi;
   std::string reason;
   // Above the steepest steady slope the flux counts as twice Q: the sign is what the search needs.
@@ -71,9 +72,12 @@ Answer<double> slope_of_flux(const RegularisedLayer& layer, double Q, int cells)
   double low = exact ? *exact : 0.25 * std::numbers::pi, high = low;
   for (double step = 0.005; low > flattest && excess(low) > 0.0; step *= 3.0) low = std::max(flattest, low - step);
   for (double step = 0.005; high < steepest && excess(high) < 0.0; step *= 3.0) high = std::min(steepest, high + step);
+  if ((low <= flattest && excess(low) > 0.0) || (high >= steepest && excess(high) < 0.0))
+    return Answer<double>::none("no slope between 0.057 and 89.98 degrees carries Q = " + rheology::checks::text(Q) +
+                                " kg/s");
   const double zeta = core::bracketed_root(excess, low, high, 1e-10);
   if (std::abs(excess(zeta)) > 1e-6)
-    return Answer<double>::none("no steady slope carries Q = " + std::to_string(Q) + " kg/s: " + reason);
+    return Answer<double>::none("no steady slope carries Q = " + rheology::checks::text(Q) + " kg/s: " + reason);
   return zeta;
 }
 

@@ -8,6 +8,7 @@
 
 #include "grid/layering.hpp"
 #include "steady/regularised_profile.hpp"
+#include "steady/slope.hpp"
 
 namespace talus::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "steady/uniform_flow.hpp"
+#include "steady/slope.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "support/reference.hpp"
+#include "support/steady_cases.hpp"
 
 /// The exact steady uniform flow against independent 25-digit values: tables 1 and 2 and the cases of figures 20 and
 /// 21.
@@ -15,23 +15,15 @@ using namespace talus;
 using nlohmann::json;
 using steady::Channel;
 using steady::UniformFlow;
+using support::channel_of;
+using support::off;
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double tolerance = 1e-10;
 
-double off(double value, double reference) {
-  return reference == 0.0 ? std::abs(value) : std::abs(value / reference - 1.0);
-}
-
 const json& cases() {
   static const json all = support::reference("steady_uniform.json").at("cases");
   return all;
-}
-
-Channel channel_of(const json& p, const std::string& law) {
-  return {support::grains_of(p),
-          law == "partial" ? rheology::Law(support::partial_of(p)) : rheology::Law(support::classical_of(p)), p["W"],
-          p["mu_w"], p["g"]};
 }
 
 TEST(UniformFlow, ProfilesFluxesAndDepthsEqualTheReference) {
