@@ -18,6 +18,7 @@
 #include "app/rheology.hpp"
 #include "app/run.hpp"
 #include "app/scene.hpp"
+#include "app/steady_command.hpp"
 #include "app/sweep.hpp"
 #include "app/versions.hpp"
 #include "sweep/sweep_file.hpp"
@@ -138,6 +139,8 @@ int act(int argc, const char* const* argv) {
   explain_command->add_option("section", section,
                               "one section only, for example grid; sweep, axis and sample are a sweep file's");
   explain_command->callback([&] { print(explanation(section)); });
+
+  add_steady_command(program, request.command);
 
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
 

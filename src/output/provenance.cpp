@@ -34,12 +34,13 @@ std::string netcdf_version() {
 Attributes provenance_attributes(const Provenance& provenance) {
   std::string libraries = netcdf_version();
   for (const std::string& library : provenance.libraries) libraries += ", " + library;
-  return {{"source", "Talus " + version() + " (" + git_revision() + ")"},
-          {"talus_version", version()},
-          {"git_revision", git_revision()},
-          {"libraries", libraries},
-          {"scene", provenance.scene_text},
-          {"history", utc_now() + " " + provenance.command}};
+  Attributes all{{"source", "Talus " + version() + " (" + git_revision() + ")"},
+                 {"talus_version", version()},
+                 {"git_revision", git_revision()},
+                 {"libraries", libraries},
+                 {"history", utc_now() + " " + provenance.command}};
+  if (!provenance.scene_text.empty()) all["scene"] = provenance.scene_text;
+  return all;
 }
 
 }  // namespace talus::output

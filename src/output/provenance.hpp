@@ -17,7 +17,7 @@ namespace talus::output {
 
 /// Where a result comes from.
 struct Provenance {
-  std::string scene_text;              ///< the effective scene, all overrides and defaults in it
+  std::string scene_text;              ///< the effective scene, all overrides and defaults in it; empty: no scene
   std::string command;                 ///< as typed
   std::vector<std::string> libraries;  ///< names with versions; netCDF's is added here
 };

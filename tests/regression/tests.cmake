@@ -7,3 +7,4 @@ talus_test(regression sweep_collect PROGRAM LIBRARIES nlohmann_json::nlohmann_js
 # These two call GNU parallel and shellcheck (TEST_PACKAGES of the Makefile), and Snakemake (SLOW_PACKAGES).
 talus_test(regression sweep_engines PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(regression sweep_snakemake PROGRAM LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
+talus_test(regression cli_steady PROGRAM ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)

@@ -57,6 +57,17 @@ class NcReader {
     return all;
   }
 
+  /// All texts, row-major.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const {
+    std::size_t n = 1;
+    for (const std::string& dimension : dimensions(name)) n *= length(dimension);
+    std::vector<char*> raw(n);
+    good(nc_get_var_string(file_, variable(name), raw.data()));
+    std::vector<std::string> all(raw.begin(), raw.end());
+    good(nc_free_string(n, raw.data()));
+    return all;
+  }
+
   [[nodiscard]] nc_type type(const std::string& name) const {
     nc_type t = NC_NAT;
     good(nc_inq_vartype(file_, variable(name), &t));
