@@ -13,6 +13,7 @@
 #include "app/check.hpp"
 #include "app/collect.hpp"
 #include "app/exit_code.hpp"
+#include "app/hstop.hpp"
 #include "app/list.hpp"
 #include "app/plot.hpp"
 #include "app/rheology.hpp"
@@ -145,6 +146,7 @@ int act(int argc, const char* const* argv) {
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
 
   add_rheology(program);
+  add_hstop(program);
 
   std::filesystem::path folder;
   auto* plot_command = program.add_subcommand("plot", "draw the pictures of a run into its folder");

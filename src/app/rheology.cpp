@@ -6,6 +6,7 @@
 
 #include "app/material.hpp"
 #include "app/number_list.hpp"
+#include "app/rheology_points.hpp"
 #include "app/rheology_report.hpp"
 #include "core/errors.hpp"
 #include "output/atomic_file.hpp"
@@ -36,15 +37,30 @@ std::vector<std::string> words_of(const std::string& list) {
   return words;
 }
 
+RheologyPoints points_of(const RheologyRequest& request) {
+  if (int{!request.I.empty()} + int{!request.mu.empty()} + int{!request.zeta.empty()} > 1)
+    throw core::ConfigError("--I, --mu, --zeta: expected one of them");
+  RheologyPoints points{.I = numbers(request.I, "--I", "1"),
+                        .mu = numbers(request.mu, "--mu", "1"),
+                        .zeta = numbers(request.zeta, "--zeta", "degree"),
+                        .k = numbers(request.k, "--k", "1/m"),
+                        .thickness = request.thickness};
+  for (const double each : points.zeta)
+    if (!(each > 0.0 && each < 90.0))
+      throw core::ConfigError("--zeta: expected angles above 0 and below 90 [degree], found " + shortest(each));
+  if (points.thickness && points.zeta.empty()) throw core::ConfigError("--thickness: expected --zeta as well");
+  if (points.thickness && !(*points.thickness > 0.0))
+    throw core::ConfigError("--thickness: expected a number above 0 [m], found " + shortest(*points.thickness));
+  return points;
+}
+
 }  // namespace
 
 void rheology_command(const RheologyRequest& request) {
-  if (!request.I.empty() && !request.mu.empty())
-    throw core::ConfigError("--I and --mu: expected one of them, not both");
-  const RheologyPoints points{numbers(request.I, "--I", "1"), numbers(request.mu, "--mu", "1"),
-                              numbers(request.k, "--k", "1/m")};
-  const bool has_points = !points.I.empty() || !points.mu.empty();
-  if (request.csv && !has_points) throw core::ConfigError("--csv: expected --I or --mu as well, whose table it takes");
+  const RheologyPoints points = points_of(request);
+  const bool has_points = points.size() > 0;
+  if (request.csv && !has_points)
+    throw core::ConfigError("--csv: expected --I, --mu or --zeta as well, whose table it takes");
   Json laws = Json::array();
   std::string text, csv;
   for (const auto& word : words_of(request.laws)) {
@@ -52,7 +68,7 @@ void rheology_command(const RheologyRequest& request) {
     if (!word.empty()) overrides.push_back("rheology.law=" + word);
     const auto channel = read_material(request.file, overrides);
     std::vector<std::string> notes;
-    Table table = rheology_table(channel.law, channel.grains, points, notes);
+    Table table = rheology_table(channel, points, notes);
     Json entry{{"law", law_word(channel.law)}};
     entry.update(rheology_summary(channel.law));
     if (has_points) entry["points"] = json_of(table);
@@ -61,8 +77,7 @@ void rheology_command(const RheologyRequest& request) {
     text += (text.empty() ? "" : "\n") + rheology_text(channel.law);
     if (has_points) text += "\n" + text_of(table);
     for (const auto& note : notes) text += note + "\n";
-    table.insert(table.begin(),
-                 {"law", "", "", std::vector<std::string>(points.I.size() + points.mu.size(), law_word(channel.law))});
+    table.insert(table.begin(), {"law", "", "", std::vector<std::string>(points.size(), law_word(channel.law))});
     const std::string rows = csv_of(table);
     csv += csv.empty() ? rows : rows.substr(rows.find('\n') + 1);
   }
@@ -79,6 +94,10 @@ void add_rheology(CLI::App& program) {
   command->add_option("--I", request->I, "inertial numbers [1]: 0.01,0.1 or 0:0.4:0.01 or 1e-6:1e3:x46")
       ->type_name("LIST");
   command->add_option("--mu", request->mu, "frictions [1] instead, each turned into its I")->type_name("LIST");
+  command->add_option("--zeta", request->zeta, "slopes [degree] instead, each standing for mu = tan zeta")
+      ->type_name("LIST");
+  command->add_option("--thickness", request->thickness, "with --zeta: Bagnold's flow (B2) of such a layer [m]")
+      ->type_name("H");
   command->add_option("--k", request->k, "wave numbers [1/m] for growth rates in units of the shear rate")
       ->type_name("LIST");
   command->add_option("--law", request->laws, "rheology.law instead of that in the file; several with commas")
@@ -92,7 +111,9 @@ void add_rheology(CLI::App& program) {
       "Examples:\n"
       "  talus rheology runs/examples/heap_q46.toml\n"
       "  talus rheology runs/examples/heap_q46.toml --I 1e-6:1e3:x46 --k 100,1000\n"
-      "  talus rheology runs/examples/heap_q46.toml --law classical,partially_regularised --I 0:2:0.01 --json");
+      "  talus rheology runs/examples/heap_q46.toml --law classical,partially_regularised --I 0:2:0.01 --json\n"
+      "  talus rheology runs/examples/heap_no_walls.toml --zeta 24:32:1 --thickness 0.01\n"
+      "Appendix A, from deposits h_stop to mu_s, mu_d, I_0: talus hstop --help. Flow between walls: talus steady.");
   command->callback([request] { rheology_command(*request); });
 }
 

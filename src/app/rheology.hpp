@@ -14,7 +14,8 @@ namespace talus::app {
 struct RheologyRequest {
   std::filesystem::path file;
   std::vector<std::string> overrides;
-  std::string laws, I, mu, k;  ///< lists as typed; empty: none
+  std::string laws, I, mu, zeta, k;  ///< lists as typed; empty: none
+  std::optional<double> thickness;   ///< of Bagnold's flow [m]
   bool json = false;
   std::optional<std::filesystem::path> csv;
 };

@@ -90,9 +90,8 @@ void expect_growth(const json& law, const std::string& kind, int& compared) {
     rows.push_back(row);
   }
   auto options = material(law["parameters"]);
-  options.insert(options.end(),
-                 {"--I", list, "--k", number(1.0 / law["parameters"]["d"].get<double>()), "--json", "--law",
-                  kind == "partial" ? "partially_regularised" : "classical"});
+  options.insert(options.end(), {"--I", list, "--k", number(1.0 / law["parameters"]["d"].get<double>()), "--json",
+                                 "--law", kind == "partial" ? "partially_regularised" : "classical"});
   const Outcome outcome = rheology(options);
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const json points = json::parse(outcome.output).at("laws")[0].at("points");
@@ -149,21 +148,46 @@ TEST(RheologyCommand, AFrictionWithoutInertialNumberIsALineWithItsReason) {
             "classical: no inertial number has the friction mu = 0.95 (needs mu_s = 0.4 <= mu < mu_d = 0.9)");
 }
 
+TEST(RheologyCommand, SlopesStandForFrictionsAndCarryBagnoldsFlow) {
+  int compared = 0;
+  const json cases = talus::support::reference("steady_uniform.json").at("cases");
+  for (const auto& each : cases)
+    for (const auto& row : each["bagnold"]) {
+      auto options = material(each["parameters"]);
+      options.insert(options.end(), {"--zeta", number(row["zeta_deg"]), "--thickness", number(row["h"]), "--json",
+                                     "--set", "box.gravity=" + number(each["parameters"]["g"])});
+      const Outcome outcome = rheology(options);
+      ASSERT_EQ(outcome.code, 0) << outcome.output;
+      const json points = json::parse(outcome.output).at("laws")[0].at("points");
+      const auto at = [&](const char* name) { return points[name]["values"][0]; };
+      EXPECT_LT(off(at("I"), row["partial"]["I"]), 1e-12);
+      EXPECT_LT(off(at("bagnold_surface_m_s"), row["partial"]["u_surf"]), 1e-12);
+      const double rho = each["parameters"]["rho_star"].get<double>() * each["parameters"]["Phi"].get<double>();
+      EXPECT_LT(off(at("bagnold_flux_kg_m_s"), rho * row["partial"]["q_m2_s"].get<double>()), 1e-12);
+      if (++compared == 4) return;
+    }
+}
+
 TEST(RheologyCommand, BadInputIsRefusedWithCodeTwo) {
   const auto refusal = [](std::vector<std::string> options) {
     const Outcome outcome = rheology(std::move(options));
     EXPECT_EQ(outcome.code, 2) << outcome.output;
     return outcome.output;
   };
-  EXPECT_EQ(refusal({heap, "--I", "0.1", "--mu", "0.4"}), "talus: --I and --mu: expected one of them, not both\n");
+  EXPECT_EQ(refusal({heap, "--I", "0.1", "--mu", "0.4"}), "talus: --I, --mu, --zeta: expected one of them\n");
   EXPECT_EQ(refusal({heap, "--I", "0.1,-2"}), "talus: --I: expected numbers of at least 0 [1], found -2\n");
   EXPECT_EQ(refusal({heap, "--k", "-1"}), "talus: --k: expected numbers of at least 0 [1/m], found -1\n");
   EXPECT_NE(refusal({heap, "--law", "classic"}).find("expected one of classical, partially_regularised, constant"),
             std::string::npos);
   EXPECT_NE(refusal({heap, "--set", "rheology.mu_d=0.3"}).find("must be at least mu_s = 0.4, or friction would fall"),
             std::string::npos);
-  EXPECT_NE(refusal({heap, "--csv", "x.csv"}).find("--csv: expected --I or --mu"), std::string::npos);
+  EXPECT_NE(refusal({heap, "--csv", "x.csv"}).find("--csv: expected --I, --mu or --zeta"), std::string::npos);
   EXPECT_NE(refusal({"no_such_file.toml"}).find("no_such_file.toml"), std::string::npos);
+  EXPECT_EQ(refusal({heap, "--zeta", "30,90"}),
+            "talus: --zeta: expected angles above 0 and below 90 [degree], found 90\n");
+  EXPECT_EQ(refusal({heap, "--thickness", "0.01"}), "talus: --thickness: expected --zeta as well\n");
+  EXPECT_EQ(refusal({heap, "--zeta", "30", "--thickness", "-1"}),
+            "talus: --thickness: expected a number above 0 [m], found -1\n");
   refusal({});
 }
 }  // namespace
