@@ -21,7 +21,6 @@ struct Classical {
   }
 
   [[nodiscard]] double friction_at_rest() const { return mu_s; }
-  [[nodiscard]] double slope_at_rest() const { return (mu_d - mu_s) / I_0; }
   /// mu is below it at every I.
   [[nodiscard]] double friction_bound() const { return mu_d; }
   /// I with mu(I) = mu - less, for mu_s <= mu - less < mu_d; else throws std::domain_error.

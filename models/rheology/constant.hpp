@@ -18,7 +18,6 @@ struct Constant {
   }
 
   [[nodiscard]] double friction_at_rest() const { return mu_s; }
-  [[nodiscard]] double slope_at_rest() const { return 0.0; }
   [[nodiscard]] double friction_bound() const { return mu_s; }
   /// Throws std::domain_error always: a constant has no inverse.
   [[noreturn]] double inverse(double mu, double less = 0.0) const;

@@ -12,7 +12,7 @@
 namespace talus::rheology {
 
 /// Every friction law of the room. A law is an aggregate with name, friction, log_slope, friction_at_rest,
-/// slope_at_rest, friction_bound and inverse; I >= 0 throughout.
+/// friction_bound and inverse; I >= 0 throughout.
 using Law = std::variant<Classical, PartiallyRegularised, Constant>;
 
 /// mu(I).
@@ -27,15 +27,9 @@ S friction_log_slope(const Law& law, const S& I) {
   return std::visit([&](const auto& l) { return l.log_slope(I); }, law);
 }
 
-/// dmu/dI; at I_N that of the creep side.
-template <class S>
-S friction_slope(const Law& law, const S& I) {
-  return std::visit(
-      [&](const auto& l) {
-        return core::select_above(
-            I, 0.0, [&] { return S(l.log_slope(I) / I); }, [&] { return S(l.slope_at_rest()); });
-      },
-      law);
+/// dmu/dI, by a dual number; at I_N that of the creep side.
+[[nodiscard]] inline double friction_slope(const Law& law, double I) {
+  return friction(law, core::Dual<1>::input(I, 0)).slope[0];
 }
 
 /// I with mu(I) = mu - less: the two apart, so that a friction however close to mu_s or mu_d, where I hangs on the

@@ -14,11 +14,11 @@ double PartiallyRegularised::inverse(double from, double less) const {
   if (!(mu >= 0.0)) checks::no_inverse(name, mu, "needs mu >= 0");
   if (mu > mu_N) {
     // mu_inf I^2 + (mu_d - mu) I = I_0 (mu - mu_s); the form of the root that neither cancels nor overflows.
-    const double b = (mu_d - from) + less, c = I_0 * ((from - mu_s) - less);
+    const double b = (mu_d - from) + less, excess = (from - mu_s) - less;
     if (mu_inf == 0.0 && b <= 0.0)
       checks::no_inverse(name, mu, "with mu_inf = 0 needs mu < mu_d = " + checks::text(mu_d));
-    const double root = std::hypot(b, 2.0 * std::sqrt(mu_inf) * std::sqrt(c));
-    const double I = b > 0.0 ? 2.0 * (c / (b + root)) : 0.5 * (root - b) / mu_inf;
+    const double root = std::hypot(b, 2.0 * std::sqrt(mu_inf) * std::sqrt(I_0) * std::sqrt(excess));
+    const double I = b > 0.0 ? 2.0 * I_0 * (excess / (b + root)) : 0.5 * (root - b) / mu_inf;
     if (!std::isfinite(I)) checks::no_inverse(name, mu, "I would be above 1.8e308");
     return std::max(I, I_N);
   }

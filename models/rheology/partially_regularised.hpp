@@ -58,7 +58,6 @@ struct PartiallyRegularised {
   }
 
   [[nodiscard]] double friction_at_rest() const { return 0.0; }
-  [[nodiscard]] double slope_at_rest() const { return (creep_limit() / tiny_I) * (2.0 - creep_power()); }
   [[nodiscard]] double friction_bound() const { return mu_inf > 0.0 ? std::numeric_limits<double>::infinity() : mu_d; }
   /// mu(I_N), where the branches meet.
   [[nodiscard]] double friction_at_I_N() const { return mu_N; }

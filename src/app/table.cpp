@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "output/csv.hpp"
+
 namespace talus::app {
 namespace {
 
@@ -26,15 +28,12 @@ Cells cells_of(const Column& column, const std::function<std::string(double)>& n
   return cells;
 }
 
-/// Rows of the columns of cells, each joined by `separator`.
-std::string rows_of(const std::vector<Cells>& columns, const std::string& separator) {
-  std::string out;
-  for (std::size_t row = 0; !columns.empty() && row < columns.front().size(); ++row) {
-    std::string line;
-    for (const auto& column : columns) line += (&column == columns.data() ? "" : separator) + column[row];
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return out;
+/// The cells of each row.
+std::vector<Cells> rows_of(const std::vector<Cells>& columns) {
+  std::vector<Cells> rows(columns.empty() ? 0 : columns.front().size());
+  for (const auto& column : columns)
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(column[row]);
+  return rows;
 }
 
 }  // namespace
@@ -56,7 +55,13 @@ std::string text_of(const Table& table) {
     for (auto& cell : cells) cell.resize(width, ' ');
     columns.push_back(std::move(cells));
   }
-  return rows_of(columns, "  ");
+  std::string out;
+  for (const auto& row : rows_of(columns)) {
+    std::string line;
+    for (const auto& cell : row) line += (line.empty() ? "" : "  ") + cell;
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
 }
 
 std::string csv_of(const Table& table) {
@@ -65,7 +70,9 @@ std::string csv_of(const Table& table) {
     columns.push_back(cells_of(column, shortest, ""));
     columns.back().insert(columns.back().begin(), column.name);
   }
-  return rows_of(columns, ",");
+  std::string out;
+  for (const auto& row : rows_of(columns)) out += output::csv_line(row);
+  return out;
 }
 
 nlohmann::ordered_json json_of(double value) {

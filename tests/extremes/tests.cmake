@@ -1,3 +1,6 @@
 talus_test(extremes steady_slopes ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(extremes steady_scales ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(extremes steady_refusals ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(extremes rheology_inertial_number ROOMS rheology)
+talus_test(extremes rheology_parameters ROOMS rheology)
+talus_test(extremes rheology_neutral_points ROOMS rheology)
