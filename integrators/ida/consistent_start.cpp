@@ -95,15 +95,19 @@ Outcome make_consistent(Equations& equations, const Options& options, double t, 
     return status;
   };
 
+  const bool constrained = std::ranges::any_of(
+      equations.system().layout().fields, [](const core::Field& field) { return field.kind == core::Kind::algebraic; });
   Status status = Status::diverged;
   for (double size = options.start_step; size <= 1001.0 * options.start_step; size *= 10.0) {
-    EulerStep projection(equations, options.rtol, t, size, y, y, yp);
-    status = solve(projection, y.size());
-    if (status == Status::broken) break;
-    if (status != Status::converged) continue;
     std::vector<double> guess(y.begin(), y.end()), on_constraints(y.begin(), y.end());
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      if (projection.differential(i)) guess[i] = on_constraints[i] = projection.y()[i];
+    if (constrained) {
+      EulerStep projection(equations, options.rtol, t, size, y, y, yp);
+      status = solve(projection, y.size());
+      if (status == Status::broken) break;
+      if (status != Status::converged) continue;
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        if (projection.differential(i)) guess[i] = on_constraints[i] = projection.y()[i];
+      }
     }
     EulerStep motion(equations, options.rtol, t + size, size, on_constraints, guess, yp);
     status = solve(motion, y.size());

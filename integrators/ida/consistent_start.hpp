@@ -18,7 +18,8 @@ using bridge::Outcome;
 /// - at t + start_step, from there: its derivative and its algebraic values are those of the smooth motion, to first
 ///   order in start_step. Taking the constraints at the later time gives y' their own rate of change.
 ///
-/// The state returned is at t. A step that does not converge is tried again ten times larger, up to 1000 times;
+/// The state returned is at t. Without algebraic unknowns there is nothing to project on: y stays as it is, bit for bit.
+/// A step that does not converge is tried again ten times larger, up to 1000 times;
 /// `refused` where no size converges; `last_correction` is then the last weighted Newton correction, as far as one was
 /// made. (IDACalcIC does not serve index 2.)
 Outcome make_consistent(Equations& equations, const Options& options, double t, std::span<double> y,

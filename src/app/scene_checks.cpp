@@ -12,14 +12,13 @@ namespace {
 
 using config::Problems;
 using config::Values;
+using words::in_metres;
 
 /// Metres along x at which the jet meets the bare base.
 double landing(const Scene& scene) {
   const double drift = scene.inflow.along_gravity ? std::tan(scene.box.tilt) : 0.0;
   return scene.inflow.position + drift * scene.box.height;
 }
-
-using words::in_metres;
 
 /// What no single key can tell.
 class CrossChecks {

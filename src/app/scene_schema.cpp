@@ -143,10 +143,10 @@ void numerics(Schema& s) {
                        [](const Values& v) { return v.has("model.name") && model(v.text("model.name")).has_columns; }));
   s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
   s.add(choice("spacing", words::of(words::spacings),
-               "of layers: clustered at the surface, all alike, or graded from it as its depth's square root")
+               "of layers: clustered under the surface, or all alike")
             .fallback(std::string("clustered")));
   s.add(number("cluster_depth", "m",
-               "clustered: layers are uniform where thinner, geometric where deeper; graded: geometric where deeper")
+               "clustered layers are uniform where the heap is much thinner, geometric where much deeper")
             .above(0.0)
             .fallback(3e-3));
 

@@ -31,8 +31,8 @@ inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::
 inline constexpr Table<Integration::Method, 2> methods{
     {{"bdf", Integration::Method::bdf}, {"steady", Integration::Method::steady}}};
 inline constexpr Table<ida::Newton, 2> newtons{{{"damped", ida::Newton::damped}, {"stock", ida::Newton::stock}}};
-inline constexpr Table<grid::Spacing, 3> spacings{
-    {{"clustered", grid::Spacing::clustered}, {"uniform", grid::Spacing::uniform}, {"graded", grid::Spacing::graded}}};
+inline constexpr Table<grid::Spacing, 2> spacings{
+    {{"clustered", grid::Spacing::clustered}, {"uniform", grid::Spacing::uniform}}};
 inline constexpr Table<Initial::State, 3> initial_states{
     {{"rest", Initial::State::rest}, {"profile", Initial::State::profile}, {"steady", Initial::State::steady}}};
 inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};

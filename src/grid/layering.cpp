@@ -16,21 +16,8 @@ Depth clustered(double s, double H, double H0) {
   return {H0 * grown, slope, slope * (s - 1.0) * inverse};
 }
 
-Depth graded(double s, double H, double H0) {
-  const double a = std::asinh(std::sqrt(H / H0)), root = std::sinh(a * s);
-  const double twice = std::sinh(2.0 * a), slope = s * std::sinh(2.0 * a * s) / twice;
-  const double a_slope = 0.5 / std::sqrt(H * (H + H0));
-  return {H0 * root * root, slope,
-          2.0 * a_slope * (s * s * std::cosh(2.0 * a * s) - slope * std::cosh(2.0 * a)) / twice};
-}
-
 Depth depth(Spacing spacing, double s, double H, double H0) {
-  switch (spacing) {
-    case Spacing::clustered: return clustered(s, H, H0);
-    case Spacing::graded: return graded(s, H, H0);
-    case Spacing::uniform: break;
-  }
-  return {s * H, s, 0.0};
+  return spacing == Spacing::uniform ? Depth{s * H, s, 0.0} : clustered(s, H, H0);
 }
 
 }  // namespace

@@ -8,10 +8,8 @@ namespace talus::grid {
 
 /// How the depth D of an interface grows from the surface, s = 0, to the base, s = 1, in a column of thickness H:
 /// - clustered: H0 ((1 + H/H0)^s - 1): uniform for H << H0, geometric for H >> H0;
-/// - uniform: H s;
-/// - graded: H0 sinh^2(a s), a = asinh(sqrt(H/H0)): as s^2 down to H0, geometric below. A speed that falls as D^1.5 under
-///   the surface is smooth in s.
-enum class Spacing : std::uint8_t { clustered, uniform, graded };
+/// - uniform: H s.
+enum class Spacing : std::uint8_t { clustered, uniform };
 
 /// Where the interfaces of the layers lie in a column of thickness H, smooth in H.
 class Layering {

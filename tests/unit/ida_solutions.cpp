@@ -95,6 +95,29 @@ TEST(IdaStart, ConstraintsThatMoveGiveTheirRateToTheDerivative) {
   EXPECT_NEAR(now.yp[0] - now.yp[1], -2.0 * 0.4, 1e-5);
 }
 
+/// A slow and a fast unknown, neither constrained, begun apart.
+struct SlowAndFast {
+  static constexpr int n = 2;
+  std::array<core::Kind, n> kinds = {differential, differential};
+  std::array<double, n> tolerances = {1e-8, 1e-8};
+  std::array<double, n> y_0 = {1.0, 0.5}, yp_0 = {};
+
+  template <class S>
+  std::array<S, n> residual(double, const std::array<S, n>& y, const std::array<S, n>& yp) const {
+    return {yp[0] + y[0], yp[1] + 1e6 * (y[1] - y[0])};
+  }
+};
+
+TEST(IdaStart, WithoutConstraintsTheStateIsKeptBitForBit) {
+  Journey<SlowAndFast> run(options_with(1e-6));
+  const auto start = run.integrator.current();
+  EXPECT_EQ(start.y[0], 1.0);
+  EXPECT_EQ(start.y[1], 0.5);
+  const auto end = run.to(1.0);
+  EXPECT_NEAR(end.y[0], std::exp(-1.0), 1e-5);
+  EXPECT_NEAR(end.y[1], std::exp(-1.0), 1e-5);
+}
+
 TEST(IdaSolution, LinearSaddlePointFollowsItsExactSolution) {
   Journey<Tied> run(options_with(1e-7));
   for (const double t : {0.1, 1.0, 3.0}) {

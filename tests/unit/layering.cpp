@@ -45,7 +45,7 @@ TEST_P(EachSpacing, RunsFromTheBaseToTheSurface) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Layering, EachSpacing, testing::Values(Spacing::clustered, Spacing::uniform, Spacing::graded));
+INSTANTIATE_TEST_SUITE_P(Layering, EachSpacing, testing::Values(Spacing::clustered, Spacing::uniform));
 
 TEST(Layering, ClusteredIsUniformWhereThinAndFineAtTheSurfaceOfADeepColumn) {
   const Layering layering(10, 0.003);
@@ -57,11 +57,5 @@ TEST(Layering, ClusteredIsUniformWhereThinAndFineAtTheSurfaceOfADeepColumn) {
 TEST(Layering, UniformIsUniformAtAnyDepth) {
   const auto h = at(Layering(8, 0.003, Spacing::uniform), 0.2);
   for (int k = 0; k <= 8; ++k) EXPECT_DOUBLE_EQ(h.z[k], 0.025 * k);
-}
-
-TEST(Layering, GradedGrowsAsTheSquareUnderTheSurface) {
-  const auto h = at(Layering(100, 0.01, Spacing::graded), 0.01);
-  const double top = 0.01 - h.z[99];
-  for (const int layers : {2, 3, 5}) EXPECT_NEAR((0.01 - h.z[100 - layers]) / top, layers * layers, 0.01 * layers);
 }
 }  // namespace
