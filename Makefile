@@ -8,6 +8,8 @@ JOBS    ?= $(shell nproc)
 RELEASE := build/release
 SCENE   ?= runs/examples/heap_q46.toml
 OUT     ?= out/$(basename $(notdir $(SCENE)))
+# Debian's own Python first: it has the packages, another one on the PATH may not.
+PYTHON  := $(firstword $(wildcard /usr/bin/python3) python3)
 
 # UMFPACK calls a BLAS from one thread: threads of OpenBLAS would fight over the cores (ten times slower on two busy ones).
 export OPENBLAS_NUM_THREADS := 1
@@ -19,7 +21,7 @@ TEST_PACKAGES := parallel shellcheck
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 
-.PHONY: help deps configure run test test-slow bench format check check-all clean
+.PHONY: help deps configure run paper test test-slow bench format check check-all clean
 
 help: ## this list
 	@echo "make WAY, where WAY is one of"
@@ -37,6 +39,10 @@ run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for
 	@$(RELEASE)/talus plot $(OUT) --movie
 	@echo "Results: $(OUT)/run.nc, summary in $(OUT)/summary.json. Pictures and movie:"
 	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
+
+paper: configure ## the paper's figures 8, 9, 10, 20, 21 and table 2, and its printed numbers beside ours, into out/paper
+	@cmake --build $(RELEASE) -j $(JOBS) --target talus
+	@$(PYTHON) runs/paper/reproduce.py --talus $(RELEASE)/talus --out out/paper
 
 test: configure ## build and run all tests but the slow ones
 	@.ci/deps $(TEST_PACKAGES)
