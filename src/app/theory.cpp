@@ -82,7 +82,7 @@ void poured(const Scene& s, Theory& theory) {
     }
     return;
   }
-  const auto maximum = steady::maximal_flux(channel);
+  const auto maximum = walls ? steady::maximal_flux(channel) : std::nullopt;
   if (maximum && s.inflow.rate >= *maximum) {
     theory.reason = slope.reason();
     theory.warnings.push_back(

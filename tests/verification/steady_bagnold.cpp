@@ -97,7 +97,7 @@ TEST(BagnoldFlow, ItsShearRateIsTheSlopeOfItsSpeed) {
 TEST(BagnoldFlow, RefusesWhatLiesOutsideAndSaysWhyThereIsNone) {
   const Channel channel{rheology::grains(2500.0, 0.6, 0.00073), rheology::classical(0.4, 0.9, 1.3), 0.003, 0.3, 9.81};
   EXPECT_NE(BagnoldFlow::at(channel, 20.0 * degree, 0.01).reason().find("at rest"), std::string::npos);
-  EXPECT_NE(BagnoldFlow::at(channel, 45.0 * degree, 0.01).reason().find("mu < mu_d = 0.9"), std::string::npos);
+  EXPECT_NE(BagnoldFlow::at(channel, 45.0 * degree, 0.01).reason().find("is not below 0.9"), std::string::npos);
   EXPECT_THROW((void)BagnoldFlow::at(channel, 0.5, 0.0), std::invalid_argument);
   EXPECT_THROW((void)BagnoldFlow::at(channel, 2.0, 0.01), std::invalid_argument);
   EXPECT_THROW((void)BagnoldFlow::at(channel, 28.0 * degree, 0.01)->speed(0.001), std::invalid_argument);
