@@ -7,6 +7,7 @@
 
 #include "app/models.hpp"
 #include "ida/ida.hpp"
+#include "support/continued_run.hpp"
 #include "support/example_scene.hpp"
 #include "support/program.hpp"
 #include "support/random_state.hpp"
@@ -155,25 +156,7 @@ TEST_P(EveryModel, TheSameRunGivesTheSameBits) {
 
 TEST_P(EveryModel, ARunContinuedFromACheckpointEqualsTheOneThatWroteItBitByBit) {
   const auto scene = GetParam().read(20, 8, {"integrator.linear_solver=banded"});
-  const auto simulation = build(scene);
-  const auto& system = *simulation.system;
-  const auto options = app::make_integrator_options(scene);
-  core::Observer nobody;
-  std::vector<double> y(system.layout().size()), yp(y);
-  system.initial_state(0.0, y, yp);
-  ida::Ida first(system, options), second(system, options);
-  first.start(0.0, y, yp);
-  first.advance(0.3, nobody);
-  std::ranges::copy(first.current().y, y.begin());
-  std::ranges::copy(first.current().yp, yp.begin());
-  const core::Statistics statistics = first.current().statistics;
-  const std::string solver = first.linear_solver();
-  for (auto* each : {&first, &second}) {
-    each->resume({0.3, y, yp, statistics}, solver);
-    each->advance(0.6, nobody);
-  }
-  const auto a = first.current(), b = second.current();
-  for (std::size_t i = 0; i < y.size(); ++i) ASSERT_EQ(a.y[i], b.y[i]) << system.describe(static_cast<core::Index>(i));
+  tests::expect_same_bits_when_continued(*build(scene).system, app::make_integrator_options(scene), 0.3, 0.6);
 }
 
 TEST(Models, EachRepresentsSomeExampleAndEachExampleNamesAModel) {

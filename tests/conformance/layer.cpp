@@ -4,6 +4,7 @@
 
 #include "ida/ida.hpp"
 #include "layer/layer.hpp"
+#include "support/continued_run.hpp"
 #include "support/example_scene.hpp"
 #include "support/random_state.hpp"
 
@@ -103,24 +104,7 @@ class LayerCheckpoint : public testing::TestWithParam<const char*> {};
 TEST_P(LayerCheckpoint, ARunContinuedFromItEqualsTheOneThatWroteItBitByBit) {
   const auto scene = small("heap_q46", 30, 8, {std::string("integrator.linear_solver=") + GetParam()});
   const layer::Layer system(app::make_layer_parameters(scene));
-  const auto options = app::make_integrator_options(scene);
-  core::Observer nobody;
-  std::vector<double> y(system.layout().size()), yp(y);
-  system.initial_state(0.0, y, yp);
-  ida::Ida first(system, options), second(system, options);
-  first.start(0.0, y, yp);
-  first.advance(0.8, nobody);
-  std::ranges::copy(first.current().y, y.begin());
-  std::ranges::copy(first.current().yp, yp.begin());
-  const core::Statistics statistics = first.current().statistics;
-  const std::string solver = first.linear_solver();
-  for (auto* each : {&first, &second}) {
-    each->resume({0.8, y, yp, statistics}, solver);
-    each->advance(1.2, nobody);
-  }
-  const auto a = first.current(), b = second.current();
-  for (std::size_t i = 0; i < y.size(); ++i) ASSERT_EQ(a.y[i], b.y[i]) << system.describe(static_cast<core::Index>(i));
-  EXPECT_EQ(a.statistics.newton_iterations, b.statistics.newton_iterations);
+  tests::expect_same_bits_when_continued(system, app::make_integrator_options(scene), 0.8, 1.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachSolver, LayerCheckpoint,
