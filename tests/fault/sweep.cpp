@@ -188,29 +188,6 @@ class LongSweep : public Sweep {
   std::unique_ptr<Program> program_;
 };
 
-TEST_F(LongSweep, StopsItsMembersOnASignalAndGoesOnAtTheNextCall) {
-  wait_for_members(1);
-  program_->send(SIGINT);
-  ASSERT_EQ(program_->wait(), restartable) << program_->output();
-  int n_stopped = 0, n_finished = 0;
-  for (int i = 0; i < 4; ++i) {
-    n_stopped += status(i) == "stopped" ? 1 : 0;
-    n_finished += status(i) == "finished" ? 1 : 0;
-    if (fs::exists(member(i))) { EXPECT_NO_THROW(talus::output::FolderLock(member(i), "a member")); }
-  }
-  EXPECT_GE(n_stopped, 1);
-  EXPECT_GE(n_finished, 1);
-  EXPECT_LT(n_finished, 4);
-  EXPECT_FALSE(says(program_->output(), "failed (")) << program_->output();
-
-  const Outcome rest = sweep();
-  EXPECT_EQ(rest.code, 0) << rest.output;
-  EXPECT_TRUE(says(rest.output, "4 finished (" + std::to_string(n_finished) + " of them before)")) << rest.output;
-  ASSERT_EQ(sweep("whole").code, 0);
-  for (int i = 0; i < 4; ++i)
-    EXPECT_EQ(differing_variables(member(i) / "run.nc", member(i, "whole") / "run.nc"), std::vector<std::string>{});
-}
-
 TEST_F(LongSweep, LocksItsFolder) {
   wait_for_members(1);
   const Outcome second = sweep();
