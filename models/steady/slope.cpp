@@ -122,7 +122,7 @@ Answer<UniformFlow> flow_of_mean_speed(const Channel& channel, double speed, dou
 }
 
 std::optional<double> maximal_flux(const Channel& channel, double thickness) {
-  check_layer(channel, 0.5, thickness);
+  check(channel);
   const auto limit = UniformFlow::steepest(channel, thickness);
   if (!limit) return std::nullopt;
   const auto* law = std::get_if<rheology::Classical>(&channel.law);

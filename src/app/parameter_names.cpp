@@ -2,28 +2,24 @@
 
 namespace talus::app {
 
-std::vector<std::pair<std::string, double>> named_parameters(const steady::Channel& c) {
-  std::vector<std::pair<std::string, double>> out{{"rho_star_kg_m3", c.grains.rho_star},
-                                                  {"Phi", c.grains.Phi},
-                                                  {"d_m", c.grains.d},
-                                                  {"gap_m", c.gap},
-                                                  {"mu_w", c.mu_w},
-                                                  {"gravity_m_s2", c.gravity}};
-  std::visit(
-      [&](const auto& law) {
-        out.emplace_back("mu_s", law.mu_s);
-        if constexpr (requires { law.I_0; }) {
-          out.emplace_back("mu_d", law.mu_d);
-          out.emplace_back("I_0", law.I_0);
-        }
-        if constexpr (requires { law.mu_inf; }) {
-          out.emplace_back("mu_inf", law.mu_inf);
-          out.emplace_back("alpha", law.alpha);
-          out.emplace_back("I_N", law.I_N);
-          out.emplace_back("A", law.A);
-        }
-      },
-      c.law);
+NamedNumbers named_parameters(const rheology::Law& law) {
+  if (const auto* constant = std::get_if<rheology::Constant>(&law)) return {{"mu_s", constant->mu_s}};
+  if (const auto* c = std::get_if<rheology::Classical>(&law))
+    return {{"mu_s", c->mu_s}, {"mu_d", c->mu_d}, {"I_0", c->I_0}};
+  const auto& p = std::get<rheology::PartiallyRegularised>(law);
+  return {{"mu_s", p.mu_s}, {"mu_d", p.mu_d}, {"mu_inf", p.mu_inf}, {"I_0", p.I_0}, {"I_N", p.I_N}, {"alpha", p.alpha}};
+}
+
+NamedNumbers named_parameters(const steady::Channel& c) {
+  NamedNumbers out{{"rho_star_kg_m3", c.grains.rho_star},
+                   {"Phi", c.grains.Phi},
+                   {"d_m", c.grains.d},
+                   {"gap_m", c.gap},
+                   {"mu_w", c.mu_w},
+                   {"gravity_m_s2", c.gravity}};
+  const auto of_law = named_parameters(c.law);
+  out.insert(out.end(), of_law.begin(), of_law.end());
+  if (const auto* partial = std::get_if<rheology::PartiallyRegularised>(&c.law)) out.emplace_back("A", partial->A);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/parameter_names.hpp"
 #include "app/table.hpp"
 #include "app/words.hpp"
 #include "rheology/neutral_points.hpp"
@@ -18,13 +19,6 @@ std::string line(const char* pattern, Arguments... arguments) {
   std::array<char, 400> text{};
   std::snprintf(text.data(), text.size(), pattern, arguments...);
   return std::string(text.data()) + "\n";
-}
-
-Json parameters(const rheology::Classical& law) { return {{"mu_s", law.mu_s}, {"mu_d", law.mu_d}, {"I_0", law.I_0}}; }
-Json parameters(const rheology::Constant& law) { return {{"mu_s", law.mu_s}}; }
-Json parameters(const rheology::PartiallyRegularised& law) {
-  return {{"mu_s", law.mu_s}, {"mu_d", law.mu_d}, {"mu_inf", law.mu_inf},
-          {"I_0", law.I_0},   {"I_N", law.I_N},   {"alpha", law.alpha}};
 }
 
 Json range_json(const std::vector<rheology::Range>& ranges) {
@@ -73,7 +67,7 @@ std::string law_word(const Law& law) {
 
 Json rheology_summary(const Law& law) {
   Json out;
-  out["parameters"] = std::visit([](const auto& each) { return parameters(each); }, law);
+  for (const auto& [name, value] : named_parameters(law)) out["parameters"][name] = value;
   out["mu_at_rest"] = rheology::friction_at_rest(law);
   out["mu_bound"] = json_of(rheology::friction_bound(law));
   if (const auto* partial = std::get_if<rheology::PartiallyRegularised>(&law)) {

@@ -59,8 +59,17 @@ Values values_of(const Request& request) {
 void act(const Request& request) {
   constexpr int default_points = 101;
   const auto [given, values] = values_of(request);
-  const auto study = solve_steady(channel_of(request), request.thickness, given, values,
-                                  request.points > 0 ? request.points : default_points);
+  const auto channel = channel_of(request);
+  const auto study = [&] {
+    try {
+      return solve_steady(channel, request.thickness, given, values,
+                          request.points > 0 ? request.points : default_points);
+    } catch (const std::invalid_argument& error) {
+      throw core::ConfigError(request.file.string() + ": " + error.what());
+    } catch (const std::domain_error& error) {  // of a search for a root
+      throw core::Error(core::ExitCode::solver, std::string("steady: ") + error.what());
+    }
+  }();
   const bool profiles = request.points > 0;
   const std::string text = request.json ? steady_json(study, profiles) : steady_table(study, profiles);
   if (!request.out.empty()) write_steady_file(request.out, study, request.command);
@@ -77,18 +86,31 @@ void add_steady_command(CLI::App& program, const std::string& command) {
   steady->add_option("--zeta", request->zeta, "slopes [degree]: numbers and ranges, 30,45 or 30:50:5")
       ->type_name("LIST");
   steady->add_option("--Q", request->flux, "mass flows [kg/s], for example 1e-4:1e-2:x21")->type_name("LIST");
-  steady->add_option("--depth-averaged-speed", request->speed, "speeds [m/s]")->type_name("LIST");
+  steady
+      ->add_option("--depth-averaged-speed", request->speed,
+                   "[m/s]; over the depth to the base, or to 1 % of the surface speed")
+      ->type_name("LIST");
   steady->add_option("--law", request->law, "friction law instead of the file's")
       ->check(CLI::IsMember({"classical", "partial", "partially_regularised", "constant"}));
   steady->add_option("--thickness", request->thickness, "of a layer over a no-slip base [m]; default: a heap, no base")
       ->check(CLI::PositiveNumber);
-  steady->add_option("--points", request->points, "points of a profile")->check(CLI::Range(2, 1000000));
+  steady
+      ->add_option("--points", request->points,
+                   "points of each profile, in JSON and table too; in a file 101 without it")
+      ->check(CLI::Range(2, 1000000));
   steady->add_option("--set", request->overrides, "replace a value of the file; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   steady->add_flag("--json", request->json, "JSON instead of a table");
   steady->add_option("--out", request->out, "profiles as a netCDF file, too; replaced if it exists")
       ->type_name("FILE.nc");
+  steady->footer(
+      "Examples:\n"
+      "  talus steady runs/examples/heap_q46.toml --Q 0.002,0.0046,0.006\n"
+      "  talus steady runs/examples/heap_q46.toml --law classical --zeta 22:42:1 --json\n"
+      "  talus steady runs/examples/heap_q46.toml --zeta 25 --set wall.mu_w=0 --thickness 0.02 --points 201 --out "
+      "layer.nc\n"
+      "Where no steady flow exists the answer says why, and the exit code is 0.");
   steady->callback([request] { act(*request); });
 }
 

@@ -82,13 +82,13 @@ void poured(const Scene& s, Theory& theory) {
     }
     return;
   }
-  const auto maximum = walls ? steady::maximal_flux(channel) : std::nullopt;
+  const auto maximum = steady::maximal_flux(channel);
   if (maximum && s.inflow.rate >= *maximum) {
     theory.reason = slope.reason();
     theory.warnings.push_back(
-        format("no steady state exists: the inflow of %.6g kg/s is above the largest steady flow of the classical law, "
+        format("no steady state exists: the inflow of %.6g kg/s is above the largest steady flow of the %s law, "
                "Q_max = %.6g kg/s",
-               s.inflow.rate, *maximum));
+               s.inflow.rate, rheology::name(s.law).data(), *maximum));
     return;
   }
   if (base_angle(s) <= 0.0) {

@@ -135,6 +135,8 @@ TEST(SteadyScales, WallFrictionGoesToZeroContinuously) {
           << law << " " << mu_w;
       EXPECT_TRUE(std::isfinite(steady::layer_mean(*flow).froude));
     }
+    EXPECT_FALSE(steady::maximal_flux(open).has_value());
+    EXPECT_FALSE(steady::maximal_flux(open, H).has_value());
     const auto by_flux = steady::flow_of_flux(open, bagnold->flux(), H);
     EXPECT_LT(off(by_flux->tan_zeta(), mu), 1e-14);
   }

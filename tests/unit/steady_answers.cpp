@@ -28,6 +28,17 @@ TEST(Quadrature, IsExactForPolynomialsAndResolvesNearPolesAndSteepDecay) {
   EXPECT_EQ(steady::integral([](double) { return 1.0; }, 1.0, 1.0), 0.0);
 }
 
+TEST(Quadrature, GivesUpOnWhatIsNotFiniteOrNotSmooth) {
+  const auto code = [](auto&& f) {
+    try {
+      (void)steady::integral(f, 0.0, 1.0);
+    } catch (const core::Error& error) { return error.code(); }
+    return core::ExitCode::ok;
+  };
+  EXPECT_EQ(code([](double x) { return x > 0.3 ? std::nan("") : 1.0; }), core::ExitCode::solver);
+  EXPECT_EQ(code([](double x) { return 2.0 + std::sin(1e9 * x); }), core::ExitCode::solver);
+}
+
 TEST(UniformFlow, SpeedIsTheIntegralOfItsShearRate) {
   const auto flow = UniformFlow::at(table_2, 45.0 * degree);
   for (const double z : {-0.0005, -0.003, -0.005}) {
