@@ -82,7 +82,6 @@ Newton::Newton(bridge::Equations& equations, const Options& options, core::Stati
   // Steps are as long as the line search wants them: at rest, where KINSOL takes its limit from, nothing is known.
   must(KINSetMaxNewtonStep(kinsol, DBL_MAX), "KINSetMaxNewtonStep");
   must(KINSetMaxBetaFails(kinsol, 1000000), "KINSetMaxBetaFails");
-  must(KINSetScaledStepTol(kinsol, options.tolerance * options.rtol), "KINSetScaledStepTol");
 }
 
 Newton::~Newton() = default;
@@ -93,9 +92,10 @@ bool Newton::solve(const Target& target, std::span<double> y, int max_iterations
   factored_ = false;
   std::copy(y.begin(), y.end(), y_.span().begin());
   bool found = false, searching = true;
-  for (double residual_tolerance = options_.tolerance * options_.rtol; searching;) {
+  for (double kinsol_tolerance = options_.tolerance * options_.rtol; searching;) {
     if (!prepare()) break;
-    must(KINSetFuncNormTol(memory_.kinsol, residual_tolerance), "KINSetFuncNormTol");
+    must(KINSetFuncNormTol(memory_.kinsol, kinsol_tolerance), "KINSetFuncNormTol");
+    must(KINSetScaledStepTol(memory_.kinsol, kinsol_tolerance), "KINSetScaledStepTol");
     must(KINSetNumMaxIters(memory_.kinsol, std::max(1, max_iterations - iterations_)), "KINSetNumMaxIters");
     message_.clear();
     const int flag = KINSol(memory_.kinsol, y_.handle(), KIN_LINESEARCH, unknown_scale_.handle(), row_scale_.handle());
@@ -108,7 +108,7 @@ bool Newton::solve(const Target& target, std::span<double> y, int max_iterations
     const bool stopped = flag >= 0 || flag == KIN_LINESEARCH_NONCONV;
     found = stopped && correct();
     searching = flag >= 0 && !found && iterations_ < max_iterations;
-    residual_tolerance *= 0.01;
+    kinsol_tolerance = std::max(0.01 * kinsol_tolerance, DBL_MIN);  // 0 would mean KINSOL's default
   }
   statistics_.newton_iterations += iterations_;
   if (!found) ++statistics_.newton_failures;
@@ -129,10 +129,13 @@ bool Newton::prepare() {
   return true;
 }
 
-/// With the last factors, those of the last iterate but one: makes Newton's correction if it is small, and says so.
+/// With the last factors, those of the last iterate but one: makes Newton's correction if it is small and does what it
+/// promises, and says so. Where the Jacobian is stiff at rest and soft in motion, a small correction alone means nothing.
 bool Newton::correct() {
   const auto y = y_.span();
-  const auto ok = residual(y, r_) == Outcome::ok && equations_.solve(r_) == Outcome::ok;
+  auto ok = residual(y, r_) == Outcome::ok;
+  const double before = ok ? scaled_size(r_) : 0.0;
+  ok = ok && equations_.solve(r_) == Outcome::ok;
   equations_.rethrow();
   if (!ok) return false;
   const auto& layout = equations_.system().layout();
@@ -140,7 +143,34 @@ bool Newton::correct() {
     const double weight = options_.rtol * std::abs(y[i]) + layout.field(static_cast<core::Index>(i)).absolute_tolerance;
     if (!(std::abs(r_[i]) <= options_.tolerance * weight)) return false;
   }
-  for (std::size_t i = 0; i < r_.size(); ++i) y[i] -= r_[i];
+  std::vector<double> corrected(y.begin(), y.end());
+  for (std::size_t i = 0; i < r_.size(); ++i) corrected[i] -= r_[i];
+  ok = residual(corrected, r_) == Outcome::ok;
+  equations_.rethrow();
+  if (!ok || !(scaled_size(r_) <= kept_promise * before || is_rounding(corrected, r_))) return false;
+  std::copy(corrected.begin(), corrected.end(), y.begin());
+  return true;
+}
+
+double Newton::scaled_size(std::span<const double> r) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < r.size(); ++i) largest = std::max(largest, std::abs(r[i]) * row_scale_.span()[i]);
+  return largest;
+}
+
+/// Whether each row of r is of the size of rounding in its terms at y, sum_j |J_ij y_j|.
+bool Newton::is_rounding(std::span<const double> y, std::span<const double> r) const {
+  std::vector<double> terms(r.size(), 0.0);
+  const auto& pattern = equations_.system().pattern();
+  const auto starts = pattern.column_starts();
+  const auto rows = pattern.rows();
+  const auto values = equations_.jacobian();
+  for (core::Index j = 0; j < pattern.n(); ++j) {
+    for (core::Index k = starts[j]; k < starts[j + 1]; ++k) terms[rows[k]] += std::abs(values[k] * y[j]);
+  }
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (std::abs(r[i]) > 1e3 * DBL_EPSILON * terms[i]) return false;
+  }
   return true;
 }
 

@@ -35,7 +35,8 @@ class Newton {
   Newton& operator=(const Newton&) = delete;
   ~Newton();
 
-  /// Improves y (shape n) until Newton's correction is below the tolerance in each weight; it is made. False where it cannot:
+  /// Improves y (shape n) until Newton's correction is below the tolerance in each weight and reduces F as it should; it
+  /// is made. False where it cannot:
   /// y is then the last iterate, and why() says what KINSOL said. Throws what the system throws.
   bool solve(const Target& target, std::span<double> y, int max_iterations);
   /// Of the last solve().
@@ -48,8 +49,13 @@ class Newton {
   [[nodiscard]] double relative_change(std::span<const double> a, std::span<const double> b) const;
 
  private:
+  /// What the last correction may leave of F, as a share; nothing but rounding where F is that small.
+  static constexpr double kept_promise = 0.1;
+
   bool prepare();
   bool correct();
+  [[nodiscard]] double scaled_size(std::span<const double> r) const;
+  [[nodiscard]] bool is_rounding(std::span<const double> y, std::span<const double> r) const;
   bridge::Outcome residual(std::span<const double> y, std::span<double> r);
   bridge::Outcome refresh(std::span<const double> y);
   std::span<const double> rate(std::span<const double> y);

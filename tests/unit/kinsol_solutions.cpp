@@ -207,6 +207,16 @@ TEST(Kinsol, AYieldingLayerIsInBalanceWhateverTheScaleOfFriction) {
   }
 }
 
+TEST(Kinsol, RestIsNotTakenForASteadyStateBecauseItIsStiff) {
+  // At rest Newton's correction is of the size of s_0, far below any tolerance, and leaves half of the force.
+  for (const double s_0 : {1e-10, 1e-12, 1e-14}) {
+    const ShearLayer layer(100, {.s_0 = s_0});
+    const auto found = steady(layer);
+    EXPECT_LT(worst_imbalance(layer, found.y), 1e-6) << "s_0 = " << s_0;
+    EXPECT_GT(found.y[0], 1.0) << "s_0 = " << s_0;
+  }
+}
+
 TEST(Kinsol, TheContinuationFindsAPlasticLayer) {
   const ShearLayer layer(200, {.viscosity = 1e-4, .s_0 = 1e-8, .u_c = 1e-4});
   kinsol::Options options;

@@ -5,8 +5,11 @@
 
 #include "app/integrator.hpp"
 #include "app/models.hpp"
+#include "kinsol/kinsol.hpp"
+#include "support/column_run.hpp"
 
-/// The column's steady state found directly and through time: the same residual and Jacobian, so the same state.
+/// The column's steady state found directly and through time: the same residual and Jacobian, so the same state. From rest
+/// it is the exact profile, however stiff rest is.
 namespace {
 using namespace talus;
 
@@ -50,5 +53,42 @@ TEST(ColumnDirectly, NewtonFromRestGivesWhatTimeSteppingLeadsTo) {
       EXPECT_LT(difference, 1e-6 * fastest) << u_c << " " << layers;
       EXPECT_LT(newton.residuals, ida.residuals / 4);
     }
+}
+
+TEST(ColumnDirectly, NewtonFromRestGivesTheExactProfileWhateverTheCap) {
+  std::printf("eta_max [Pa s], u_c [m/s], layers: L1 error; iterations, residuals, continuation steps\n");
+  for (const double eta_max : {1e4, 1e6, 1e8, 1e10}) {
+    for (const double u_c : {1e-3, 1e-5, 1e-7}) {
+      auto par = tests::table_2(48.8126, 0.012, 0);
+      par.regularisation.p_0 = 0.01;
+      par.regularisation.cap = rheology::Cap::smooth;
+      par.regularisation.eta_max = eta_max;
+      par.wall.u_c = u_c;
+      par.atol_velocity = 1e-5;  // as scenes have it
+      par.grid.spacing = grid::Spacing::clustered;
+      par.grid.cluster_depth = 0.003;
+      const auto exact = steady::RegularisedProfile::at(tests::steady_layer(par), 48.8126 * tests::degree, 8000);
+      for (const int layers : {32, 100, 400}) {
+        par.grid.layers = layers;
+        const column::Column system(par);
+        kinsol::Kinsol direct(system);
+        core::Observer nobody;
+        const std::vector<double> rest(system.layout().size(), 0.0);
+        direct.start(0.0, rest, rest);
+        direct.advance(0.0, nobody);
+        const auto now = direct.current();
+        double error = 0.0;
+        for (int k = 0; k < layers; ++k) {
+          const double z = system.heights().centre[k] - system.heights().surface();
+          error += std::abs(now.y[k] - exact->speed(z)) * system.heights().thickness(k);
+        }
+        error /= exact->surface_speed() * system.heights().surface();
+        std::printf("%.0e %.0e %4d  %.2e  %3lld %4lld %3lld\n", eta_max, u_c, layers, error,
+                    static_cast<long long>(now.statistics.newton_iterations),
+                    static_cast<long long>(now.statistics.residuals), static_cast<long long>(now.statistics.restarts));
+        EXPECT_LT(error, 0.5 / (layers * layers)) << eta_max << ' ' << u_c << ' ' << layers;  // second order
+      }
+    }
+  }
 }
 }  // namespace
