@@ -13,3 +13,6 @@ talus_test(verification column_transient ROOMS column steady ida LIBRARIES nlohm
 talus_test(verification column_steady ROOMS column steady diagnostics ida)
 talus_test(verification column_motion ROOMS column steady ida LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification layer_sloshing ROOMS layer ida)
+talus_test(verification layer_pile ROOMS layer ida steady)
+talus_test(verification layer_film ROOMS layer ida)
+talus_test(verification layer_collapse ROOMS layer ida LABELS slow)
