@@ -82,10 +82,10 @@ class Copy:
             if not target.is_file() or target.read_bytes() != (ROOT / name).read_bytes():
                 target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(ROOT / name, target)
-        for path in list(self.root.rglob("*")):
-            relative = path.relative_to(self.root)
-            if path.is_file() and relative.parts[0] != "build" and str(relative) not in files:
-                path.unlink()
+        for top in (path for path in self.root.iterdir() if path.name != "build"):
+            for path in [top, *top.rglob("*")]:
+                if path.is_file() and str(path.relative_to(self.root)) not in files:
+                    path.unlink()
         self.build.mkdir(parents=True, exist_ok=True)
         self.log.write_text("")
         self.call(["cmake", "-S", self.root, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release"])
