@@ -35,9 +35,11 @@ def read_faults():
 
 
 def test_names(target):
-    """Names of the tests in a target's source, as CTest knows them but for what parameters add to them."""
-    source, = ROOT.glob(f"tests/*/{target.removeprefix('test_')}.cpp")
-    pairs = re.findall(r"\bTEST(?:_P|_F)?\((\w+),\s*(\w+)\)", source.read_text())
+    """Names of the tests in a target's source, as CTest knows them but for what parameters add to them; none where there is no such
+    target."""
+    sources = [path for path in ROOT.glob(f"tests/*/{target.removeprefix('test_')}.cpp")
+               if path.parent.name != "benchmark"]
+    pairs = re.findall(r"\bTEST(?:_P|_F)?\((\w+),\s*(\w+)\)", "".join(path.read_text() for path in sources))
     return [f"{suite}.{name}" for suite, name in pairs]
 
 
@@ -57,10 +59,8 @@ def check(faults):
             complain(f"the text before occurs {n} times in {fault['file']}, expected once")
         if fault["before"] == fault["after"]:
             complain("nothing changes")
-        if len(list(ROOT.glob(f"tests/*/{fault['target'].removeprefix('test_')}.cpp"))) != 1:
-            complain(f"no test file of target {fault['target']}")
-        elif not any(re.search(fault["tests"], name) for name in test_names(fault["target"])):
-            complain(f"no test of {fault['target']} matches {fault['tests']}")
+        if not any(re.search(fault["tests"], name) for name in test_names(fault["target"])):
+            complain(f"no test of target {fault['target']} matches {fault['tests']}")
     return wrong
 
 
