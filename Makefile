@@ -21,7 +21,7 @@ TEST_PACKAGES := parallel shellcheck
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 
-.PHONY: help deps configure run paper test test-slow bench format check check-all clean
+.PHONY: help deps configure run paper test test-slow planted bench format check check-all clean
 
 help: ## this list
 	@echo "make WAY, where WAY is one of"
@@ -53,6 +53,10 @@ test-slow: configure ## the tests that need minutes: refinement studies of whole
 	@.ci/deps $(SLOW_PACKAGES)
 	@cmake --build $(RELEASE) -j $(JOBS)
 	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 7200 --label-regex slow --no-tests=error
+
+planted: deps ## plant each known fault in a copy of the tree and see its test fail (an hour); FAULTS=regular-expression for some
+	@.ci/deps $(TEST_PACKAGES)
+	@$(PYTHON) tests/planted/run.py $(if $(FAULTS),'$(FAULTS)')
 
 bench: configure ## time the kernels; never asserted
 	@cmake --build $(RELEASE) -j $(JOBS) --target bench

@@ -139,11 +139,15 @@ std::string Layer::describe(core::Index row) const {
   if (row == unknowns_.mass_in()) return "mass poured in";
   if (row == unknowns_.mass_left()) return "mass gone over the left end";
   if (row == unknowns_.mass_right()) return "mass gone over the right end";
-  const core::Index stride = 3 * core::Index{columns_.n_layers} + 1;
-  const core::Index in_columns = row - (unknowns_.p(0, 0) - 2);
-  const int i = static_cast<int>(in_columns / stride), in_column = static_cast<int>(in_columns % stride);
+  int i = 0;
+  while (i < columns_.n_columns && row > unknowns_.H(i)) ++i;
   const auto field = layout_.field_of[row];
-  const int k = i == columns_.n_columns ? in_column : in_column / 3;
+  int k = 0;
+  const auto number = [&] {
+    if (field == field_u) return unknowns_.u(i, k);
+    return field == field_omega ? unknowns_.omega(i, k + 1) : unknowns_.p(i, k);
+  };
+  while (k < columns_.n_layers && number() != row) ++k;
   const double x = field == field_u ? columns_.x_face(i) : columns_.x_centre(i);
   if (field == field_H) return text("H of column %d (x = %.5g m)", i, x);
   return text("%s at %s %d, %s %d of %d (x = %.5g m)", layout_.fields[field].name.c_str(),

@@ -8,8 +8,8 @@
 
 namespace talus::rheology {
 
-/// Below these a rate [1/s] and a granular sound speed sqrt(p/rho_*) [m/s] count as zero: they keep sqrt
-/// differentiable.
+/// A rate [1/s] and a granular sound speed sqrt(p/rho_*) [m/s] below these count as these: sqrt stays differentiable. They are the
+/// room's only numbers with a unit, and act on no bit of what lies above them.
 inline constexpr double tiny_rate = 1e-12;
 inline constexpr double tiny_speed = 1e-9;
 
@@ -33,6 +33,19 @@ void check(const Regularisation& reg);
   return std::hypot(reg.rate_floor, reg.rate_speed / H);
 }
 
+namespace detail {
+
+/// sqrt(max(x, least^2)).
+template <class S>
+S root_at_least(const S& x, double least) {
+  using std::sqrt;
+  using core::sqrt;
+  return core::select_above(
+      x, least * least, [&] { return S(sqrt(x)); }, [&] { return S(least); });
+}
+
+}  // namespace detail
+
 /// p_+ [Pa].
 template <class S>
 S positive_pressure(const S& p, double p_0) {
@@ -51,10 +64,8 @@ S positive_pressure(const S& p, double p_0) {
 template <class S, class F>
 S inertial_number(const Grains& grains, const Regularisation& reg, const S& D_norm_squared, const F& floor,
                   const S& p) {
-  using std::sqrt;
-  using core::sqrt;
-  const S rate = sqrt(D_norm_squared + floor * floor + tiny_rate * tiny_rate);
-  return 2.0 * grains.d * rate / sqrt(positive_pressure(p, reg.p_0) / grains.rho_star + tiny_speed * tiny_speed);
+  const S rate = detail::root_at_least(S(D_norm_squared + floor * floor), tiny_rate);
+  return 2.0 * grains.d * rate / detail::root_at_least(S(positive_pressure(p, reg.p_0) / grains.rho_star), tiny_speed);
 }
 
 /// eta [Pa s] of (3.17), at D_norm^2 [1/s2] and pressure p [Pa]; `floor` [1/s] joins D_norm as sqrt(D_norm^2 +
@@ -65,8 +76,8 @@ S viscosity(const Law& law, const Grains& grains, const Regularisation& reg, con
   using std::sqrt;
   using core::sqrt;
   const S p_plus = positive_pressure(p, reg.p_0);
-  const S rate = sqrt(D_norm_squared + floor * floor + tiny_rate * tiny_rate);
-  const S I = 2.0 * grains.d * rate / sqrt(p_plus / grains.rho_star + tiny_speed * tiny_speed);
+  const S rate = detail::root_at_least(S(D_norm_squared + floor * floor), tiny_rate);
+  const S I = 2.0 * grains.d * rate / detail::root_at_least(S(p_plus / grains.rho_star), tiny_speed);
   const S eta = friction(law, I) * p_plus / (2.0 * rate);
   switch (reg.cap) {
     case Cap::none: return eta;

@@ -78,7 +78,7 @@ const std::vector<Plant>& plants() {
       {"EveryTestRuns", "NotListed", "tests/unit/planted.cpp", "", "tests/unit/planted.cpp"},
       {"EveryTestRuns", "Script", "tests/unit/planted.py", "", "tests/unit/planted.py"},
       {"EveryTestRuns", "PartOfAName", "tests/unit/dua.cpp", "", "tests/unit/dua.cpp"},
-      {"EveryTestRuns", "NewLabel", "tests/planted/planted.cpp", "", "tests/planted/planted.cpp"},
+      {"EveryTestRuns", "NewLabel", "tests/novel/planted.cpp", "", "tests/novel/planted.cpp"},
       {"EveryTestRuns", "BenchmarkNotListed", "tests/benchmark/planted.cpp", "", "tests/benchmark/planted.cpp"},
       {"EveryTestCanFail", "Skips", "tests/unit/planted.cpp",
        "\nGTEST_"

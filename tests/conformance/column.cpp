@@ -80,4 +80,19 @@ TEST(Column, BaseSlopeIsAnotherWayToTilt) {
   for (int k = 0; k < 12; ++k) EXPECT_NEAR(r_a[k], r_b[k], 1e-12 * (std::abs(r_a[k]) + 1.0)) << k;
 }
 
+TEST(Column, AMirroredLayerHasTheMirroredRowsBitByBit) {
+  auto scene = chute.read(4, 12, {"box.base_slope=0.1"});
+  const column::Column system(app::make_column_parameters(scene));
+  scene.box.tilt *= -1.0;
+  scene.box.base_slope *= -1.0;
+  const column::Column mirror(app::make_column_parameters(scene));
+  State state(system);
+  std::vector<double> r(12), r_mirror(12);
+  system.residual(0.0, state.u, state.rate, r);
+  for (auto* v : {&state.u, &state.rate})
+    for (double& number : *v) number = -number;
+  mirror.residual(0.0, state.u, state.rate, r_mirror);
+  for (int k = 0; k < 12; ++k) EXPECT_EQ(r_mirror[k], -r[k]) << k;
+}
+
 }  // namespace

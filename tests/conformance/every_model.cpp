@@ -89,6 +89,19 @@ TEST_P(EveryModel, JacobianAtRestCreepingAcrossTheCapAcrossINAndWithReversingWal
   EXPECT_TRUE(met.forward && met.backward);
 }
 
+/// Where pressure is an unknown: zero everywhere, about zero, and far below.
+TEST_P(EveryModel, JacobianWhereThePressureIsZeroAndBelow) {
+  const auto simulation = build(GetParam().read(9, 5));
+  const auto& system = *simulation.system;
+  std::vector<double> y, yp;
+  for (const auto& [least, most] : {std::pair{0.0, 0.0}, {-1e-3, 1e-3}, {-1.0, 1.0}}) {
+    tests::RandomState{.p_least = least, .p_most = most}.fill(system, 8, y, yp);
+    core::Index worst = 0;
+    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6)
+        << "pressures from " << least << " to " << most << " of the lithostatic: " << system.describe(worst);
+  }
+}
+
 TEST_P(EveryModel, NoRowAndNoColumnOfThePatternIsEmpty) {
   const auto simulation = build(GetParam().read(9, 5));
   const auto& pattern = simulation.system->pattern();

@@ -42,8 +42,52 @@ TEST_P(LayerExample, MassFluxesTelescope) {
   EXPECT_LT(std::abs(sum), 1e-14 * size);
 }
 
+/// Every number from 0 on belongs to one unknown.
+void expect_numbers_of_their_own(const layer::Layer& system) {
+  const auto& at = system.unknowns();
+  const auto& c = system.columns();
+  std::vector<int> owners(system.layout().size(), 0);
+  const auto own = [&](core::Index number) {
+    if (number >= 0) ++owners.at(number);
+  };
+  for (int f = 0; f < c.n_faces(); ++f)
+    for (int k = 0; k < c.n_layers; ++k) own(at.u(f, k));
+  for (int i = 0; i < c.n_columns; ++i) {
+    own(at.H(i));
+    for (int k = 0; k < c.n_layers; ++k) own(at.omega(i, k + 1)), own(at.p(i, k));
+  }
+  own(at.mass_in()), own(at.mass_left()), own(at.mass_right());
+  for (std::size_t i = 0; i < owners.size(); ++i) EXPECT_EQ(owners[i], 1) << i;
+}
+
+TEST_P(LayerExample, EachUnknownHasANumberOfItsOwn) {
+  expect_numbers_of_their_own(layer::Layer(app::make_layer_parameters(small(GetParam(), 9, 5, {"model.name=layer"}))));
+}
+
 INSTANTIATE_TEST_SUITE_P(Layer, LayerExample, testing::ValuesIn(layer_examples()),
                          [](const auto& each) { return each.param; });
+
+/// A wall at the left end, in place of the open end of the examples: no velocity on its face, no mass through it.
+TEST(LayerWall, HasNoVelocityNoEmptyRowAndAnExactJacobian) {
+  for (const char* inflow : {"inflow.rate=0.0046", "inflow.rate=0"}) {
+    const layer::Layer system(app::make_layer_parameters(small("heap_q46", 9, 5, {"box.left=wall", inflow})));
+    expect_numbers_of_their_own(system);
+    for (int k = 0; k < 5; ++k) EXPECT_EQ(system.unknowns().u(0, k), -1) << k;
+    const auto& pattern = system.pattern();
+    std::vector<int> in_row(pattern.n(), 0);
+    for (const auto row : pattern.rows()) ++in_row[row];
+    std::set<std::string> words;
+    for (core::Index i = 0; i < pattern.n(); ++i) {
+      EXPECT_GT(in_row[i], 0) << system.describe(i);
+      EXPECT_LT(pattern.column_starts()[i], pattern.column_starts()[i + 1]) << system.describe(i);
+      EXPECT_TRUE(words.insert(system.describe(i)).second) << system.describe(i);
+    }
+    std::vector<double> y, yp;
+    tests::RandomState{}.fill(system, 7, y, yp);
+    core::Index worst = -1;
+    EXPECT_LT(tests::jacobian_error(system, 0.1, y, yp, 50.0, worst), 1e-6) << system.describe(worst);
+  }
+}
 
 /// Deep enough to be no film and without jumps, but rough.
 double rough_height(int i) { return 0.02 + 2e-4 * std::sin(1.7 * i) + 1e-4 * std::cos(0.9 * i * i); }

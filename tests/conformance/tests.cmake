@@ -1,3 +1,5 @@
 talus_test(conformance every_model ROOMS app)
 talus_test(conformance column ROOMS app)
 talus_test(conformance layer ROOMS app)
+talus_test(conformance rescaling ROOMS app)
+talus_test(conformance layer_symmetry ROOMS app)

@@ -9,11 +9,12 @@
 
 namespace talus::tests {
 
-/// A state about `system`'s initial one: velocities of up to `speed` [m/s], pressures off by half, thicknesses between
-/// `H_least` and `H_most` [m], rates of order one. Fields the generator does not know stay as they are.
+/// A state about `system`'s initial one: velocities of up to `speed` [m/s], pressures from `p_least` to `p_most` times theirs,
+/// thicknesses between `H_least` and `H_most` [m], rates of order one. Fields the generator does not know stay as they are.
 struct RandomState {
   double speed = 0.3;
   double H_least = 6e-4, H_most = 2e-2;
+  double p_least = 0.5, p_most = 1.5;
 
   void fill(const core::DaeSystem& system, unsigned seed, std::vector<double>& y, std::vector<double>& yp) const {
     const auto& layout = system.layout();
@@ -25,7 +26,7 @@ struct RandomState {
     for (core::Index i = 0; i < layout.size(); ++i) {
       const auto& name = layout.field(i).name;
       if (name == "u" || name == "omega") y[i] += speed * (2.0 * share(random) - 1.0);
-      if (name == "p") y[i] *= 0.5 + share(random);
+      if (name == "p") y[i] *= p_least + (p_most - p_least) * share(random);
       if (name == "H") y[i] = H_least * std::pow(H_most / H_least, share(random));
       yp[i] = 2.0 * share(random) - 1.0;
     }

@@ -138,6 +138,7 @@ struct ConvectionAcross : Kernel {
 
 /// The momentum that the jet brings to the uppermost volumes: it arrives with the speed of its free fall from the inlet.
 struct JetMomentum : Kernel {
+  static constexpr double tiny_fall = 1e-10;  ///< of the box's height, added to the fall: keeps sqrt differentiable
   static constexpr int n_in = 9, n_out = 5;
   enum In { u_, omega_, H_ = 5 };
 
@@ -165,7 +166,8 @@ struct JetMomentum : Kernel {
     const S fall = core::select_above(
         S(par.box.height - 0.5 * (g.H(1) + g.H(2))), 0.0, [&] { return S(par.box.height - 0.5 * (g.H(1) + g.H(2))); },
         [] { return S(0.0); });
-    const S speed = sqrt(2.0 * par.box.gravity * fall / std::cos(lean) + rheology::tiny_speed);
+    const double pull = 2.0 * par.box.gravity / std::cos(lean);
+    const S speed = pull > 0.0 ? S(sqrt(pull * (fall + tiny_fall * par.box.height))) : S(0.0);
     const S slope = g.slope_face(2, k);
     const S& u = in.y[u_];
     const S w = u * slope + 0.25 * (in.y[omega_] + in.y[omega_ + 1] + in.y[omega_ + 2] + in.y[omega_ + 3]);
