@@ -13,3 +13,5 @@ talus_test(verification column_transient ROOMS column steady ida LIBRARIES nlohm
 talus_test(verification column_steady ROOMS column steady diagnostics ida)
 talus_test(verification column_motion ROOMS column steady ida LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification layer_sloshing ROOMS layer ida)
+talus_test(verification layer_viscous ROOMS layer ida diagnostics LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(verification layer_shear_cell ROOMS layer ida bridge kinsol diagnostics)
