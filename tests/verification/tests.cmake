@@ -15,5 +15,7 @@ talus_test(verification column_motion ROOMS column steady ida LIBRARIES nlohmann
 talus_test(verification layer_sloshing ROOMS layer ida)
 talus_test(verification layer_viscous ROOMS layer ida diagnostics LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification layer_manufactured ROOMS layer ida diagnostics LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(verification layer_cavity ROOMS layer ida bridge kinsol diagnostics LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification layer_manufactured_surface ROOMS layer ida diagnostics)
+talus_test(verification layer_fine_grids ROOMS layer ida bridge kinsol diagnostics LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(verification layer_shear_cell ROOMS layer ida bridge kinsol diagnostics)
