@@ -1,11 +1,26 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "experiment/piecewise_linear.hpp"
 
 namespace talus::experiment {
+
+/// How grains meet a wall along which they may move.
+enum class Contact : std::uint8_t {
+  no_slip,   ///< at the wall's own velocity
+  free_slip  ///< without shear stress
+};
+
+/// A rigid lid on the grains, in place of a free surface: the box stays as full as it is.
+struct Lid {
+  Contact contact = Contact::no_slip;
+  double speed = 0.0;     ///< along x [m/s]; not read under free slip
+  double pressure = 0.0;  ///< of the grains on the lid, at its right end [Pa]
+};
 
 /// The box between the side walls, seen along the base: x down the base from the left end, z normal to it.
 struct Box {
@@ -17,6 +32,11 @@ struct Box {
   bool periodic = false;    ///< the right end continues at the left end
   bool left_open = true;    ///< not periodic: grains may leave over the left end; else a wall
   double base_slope = 0.0;  ///< db/dx of the base against the grid's x axis [1]; the column lines stay normal to x
+  bool right_open = true;   ///< as left_open
+  Contact end_walls = Contact::free_slip;  ///< of those ends that are walls
+  Contact base = Contact::no_slip;
+  double base_speed = 0.0;      ///< along x [m/s]; not read under free slip
+  std::optional<Lid> lid = {};  ///< none: the surface is free
 };
 
 /// Slope of the base against the horizontal, positive down to the right [rad].

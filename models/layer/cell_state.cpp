@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layer/bounds.hpp"
 #include "layer/terms/stress.hpp"
 #include "rheology/well_posedness.hpp"
 
 namespace talus::layer {
 namespace {
 
-double read(std::span<const double> y, Index index) { return index < 0 ? 0.0 : y[index]; }
+using fv::read;
 
 double slope_at(const Layer& layer, const Context& c, int i, int k) {
   return (c.z[c.at(i + 1, k)] - c.z[c.at(i - 1, k)]) / (2.0 * layer.columns().dx()) + layer.parameters().box.base_slope;
@@ -22,7 +23,9 @@ double corner_inertial_number(const Layer& layer, const Context& c, std::span<co
   fv::Inputs<double, CornerSlots::n_in> inputs{};
   for (int j = 0; j < CornerSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
   const Heights<double, CornerSlots::n_in> g(c, f - 2, inputs, CornerSlots::H_);
-  const auto strain = corner_strain(g, k, layer.columns().dx(), inputs.y);
+  const bool slips = layer.parameters().box.base == Contact::free_slip;
+  const double below = k == 0 ? (slips ? inputs.y[1] : base_speed(c, f)) : 0.0;
+  const auto strain = corner_strain(g, k, layer.columns().dx(), below, inputs.y);
   const auto& reg = layer.parameters().regularisation;
   const double floor = rheology::rate_floor(reg, 0.5 * (g.H(1) + g.H(2)));
   return rheology::inertial_number(layer.parameters().grains, reg,
@@ -52,7 +55,7 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   for (int j = 0; j < CentreSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
   const auto& v = inputs.y;
   const Heights<double, CentreSlots::n_in> g(c, i - 2, inputs, CentreSlots::H_);
-  const auto strain = centre_strain(g, k, layer.columns().n_layers, layer.columns().dx(), v);
+  const auto strain = centre_strain(g, k, layer.columns().n_layers, layer.columns().dx(), bounds(c, i), v);
   const double D_squared = strain.D_xx * strain.D_xx + strain.D_xz * strain.D_xz;
   const auto& reg = par.regularisation;
   const double floor = rheology::rate_floor(reg, g.H(2));
@@ -67,19 +70,20 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   s.mu = response.mu;
   s.C = rheology::condition_C(response);
   s.q = response.q;
-  s.eta = rheology::viscosity(par.law, par.grains, reg, D_squared, floor, s.p);
+  s.eta = par.fluid ? par.fluid->eta : rheology::viscosity(par.law, par.grains, reg, D_squared, floor, s.p);
   s.capped = rheology::is_capped(par.law, par.grains, reg, D_squared, floor, s.p);
   return s;
 }
 
 double vertical_velocity(const Layer& layer, const Context& c, std::span<const double> y, int i, int k) {
-  if (k == 0) return 0.0;
   const auto& at = layer.unknowns();
   const int n = layer.columns().n_layers;
   const auto u = [&](int layer_number) {
     return 0.5 * (read(y, at.u(i, layer_number)) + read(y, at.u(i + 1, layer_number)));
   };
-  const double u_here = k < n ? 0.5 * (u(k - 1) + u(k)) : u(n - 1);
+  if (k == 0 && layer.parameters().box.base == Contact::no_slip)
+    return bounds(c, i).base_speed * slope_at(layer, c, i, 0);
+  const double u_here = k == 0 ? u(0) : (k < n ? 0.5 * (u(k - 1) + u(k)) : u(n - 1));
   return read(y, at.omega(i, k)) + u_here * slope_at(layer, c, i, k);
 }
 

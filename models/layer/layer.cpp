@@ -6,8 +6,11 @@
 #include "core/errors.hpp"
 #include "layer/terms/continuity.hpp"
 #include "layer/terms/forces.hpp"
+#include "layer/terms/given.hpp"
 #include "layer/terms/inertia.hpp"
+#include "layer/terms/lid.hpp"
 #include "layer/terms/stress.hpp"
+#include "layer/terms/top_stress.hpp"
 
 namespace talus::layer {
 
@@ -17,7 +20,11 @@ enum FieldNumber : std::uint8_t { field_u, field_omega, field_p, field_H, field_
 
 Budgets budgets_of(const Parameters& par) {
   const bool ends = !par.box.periodic;
-  return {par.inflow.rate > 0.0, ends && par.box.left_open, ends};
+  return {par.inflow.rate > 0.0, ends && par.box.left_open, ends && par.box.right_open};
+}
+
+Edges edges_of(const Box& box) {
+  return {!box.left_open, !box.right_open, box.end_walls == Contact::no_slip, box.lid.has_value()};
 }
 
 core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Unknowns& unknowns) {
@@ -25,12 +32,12 @@ core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Un
   layout.fields = {{"u", "m s-1", core::Kind::differential, par.atol_velocity},
                    {"omega", "m s-1", core::Kind::differential, par.atol_velocity},
                    {"p", "Pa", core::Kind::algebraic, par.atol_pressure},
-                   {"H", "m", core::Kind::differential, par.atol_height},
+                   {"H", "m", par.box.lid ? core::Kind::algebraic : core::Kind::differential, par.atol_height},
                    {"mass", "kg", core::Kind::differential, par.atol_mass}};
   layout.field_of.assign(unknowns.size(), field_u);
   for (int i = 0; i < c.n_columns; ++i) {
     for (int k = 0; k < c.n_layers; ++k) {
-      layout.field_of[unknowns.omega(i, k + 1)] = field_omega;
+      if (unknowns.omega(i, k + 1) >= 0) layout.field_of[unknowns.omega(i, k + 1)] = field_omega;
       layout.field_of[unknowns.p(i, k)] = field_p;
     }
     layout.field_of[unknowns.H(i)] = field_H;
@@ -42,13 +49,14 @@ core::Layout make_layout(const Parameters& par, const grid::Columns& c, const Un
 
 std::vector<Index> rates_alone(const Kernel& at) {
   std::vector<Index> rows;
-  for (int i = 0; i < at.columns.n_columns; ++i) rows.push_back(at.unknowns.H(i));
+  for (int i = 0; i < at.columns.n_columns; ++i)
+    if (at.unknowns.surface(i) >= 0) rows.push_back(at.unknowns.surface(i));
   for (const Index budget : {at.unknowns.mass_in(), at.unknowns.mass_left(), at.unknowns.mass_right()})
     if (budget >= 0) rows.push_back(budget);
   return rows;
 }
 
-/// The equations: continuity and surface, inertia, stress, friction, pressure and weight.
+/// The equations: continuity and surface, inertia, stress, friction, pressure and weight, and what is given.
 fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at) {
   fv::Operator<Context>::Terms terms;
   const auto add = [&](auto kernel) { terms.push_back(fv::make_term<Context>(std::move(kernel))); };
@@ -66,10 +74,24 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Kernel& at)
     add(ConvectionAcross{at});
   }
   add(CornerStress{{at}, {}});
+  if (par.box.lid) {
+    add(LidStress{at});
+    add(LidHeight{at});
+    add(PressureLevel{at});
+  } else if (par.fluid) {
+    add(SurfaceStress{at});
+  }
   add(CentreStress{{at}, {}});
   if (par.wall.mu_w > 0.0) add(WallFriction{at});
   add(PressureAlong{at});
   add(PressureAcross{at});
+  if (par.forcing) {
+    add(GivenForce{at});
+    if (!par.box.lid) {
+      add(GivenPull{at});
+      add(GivenPressure{at});
+    }
+  }
   return terms;
 }
 
@@ -79,10 +101,13 @@ Layer::Layer(Parameters parameters)
     : parameters_(std::move(parameters)),
       columns_{parameters_.grid.columns, parameters_.grid.layers, parameters_.box.length, parameters_.box.periodic},
       layering_(parameters_.grid.layers, parameters_.grid.cluster_depth, parameters_.grid.spacing),
-      unknowns_(columns_, !parameters_.box.left_open, budgets_of(parameters_)),
+      unknowns_(columns_, edges_of(parameters_.box), budgets_of(parameters_)),
       layout_(make_layout(parameters_, columns_, unknowns_)) {
   if (columns_.n_columns < 1 || columns_.n_layers < 2)
     throw std::invalid_argument("layer: needs a column and two layers");
+  const Box& box = parameters_.box;
+  if (box.lid && !box.periodic && (box.left_open || box.right_open))
+    throw std::invalid_argument("layer: under a lid both ends must be walls, or joined");
   context_.parameters = &parameters_;
   context_.columns = columns_;
   const std::size_t n_heights = std::size_t(columns_.n_columns) * (columns_.n_layers + 1);
@@ -113,11 +138,12 @@ void Layer::initial_state(double, std::span<double> y, std::span<double> yp) con
   std::fill(yp.begin(), yp.end(), 0.0);
   const double weight = parameters_.grains.rho() * parameters_.box.gravity * std::cos(parameters_.box.tilt);
   const double H = parameters_.initial.thickness;
+  const double above = parameters_.box.lid ? parameters_.box.lid->pressure : 0.0;
   std::vector<double> z(columns_.n_layers + 1), dz(z), d2z(z);
   layering_.heights(H, z, dz, d2z);
   for (int i = 0; i < columns_.n_columns; ++i) {
     y[unknowns_.H(i)] = H;
-    for (int k = 0; k < columns_.n_layers; ++k) y[unknowns_.p(i, k)] = weight * (H - 0.5 * (z[k] + z[k + 1]));
+    for (int k = 0; k < columns_.n_layers; ++k) y[unknowns_.p(i, k)] = above + weight * (H - 0.5 * (z[k] + z[k + 1]));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace talus::layer {
 
 /// The granular layer under a height function: (3.9) and (3.16) on a surface-fitted grid, with side-wall friction, a
-/// traction-free surface at p = 0, a no-slip base, and a jet as a source of mass on the surface.
+/// traction-free surface at p = 0 or a rigid lid, a base, and a jet as a source of mass on the surface.
 class Layer final : public core::DaeSystem {
  public:
   /// Throws std::invalid_argument for parameters outside their domain.

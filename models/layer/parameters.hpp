@@ -1,13 +1,19 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "experiment/experiment.hpp"
 #include "grid/layering.hpp"
+#include "layer/forcing.hpp"
 #include "rheology/law.hpp"
+#include "rheology/newtonian.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace talus::layer {
 
 using experiment::Box;
+using experiment::Contact;
 using experiment::Inflow;
 using experiment::Wall;
 
@@ -48,10 +54,12 @@ struct Parameters {
   Grid grid;
   Numerics numerics;
   Initial initial;
-  double atol_velocity = 1e-5;  ///< [m/s]
-  double atol_pressure = 0.1;   ///< [Pa]
-  double atol_height = 1e-6;    ///< [m]
-  double atol_mass = 1e-5;      ///< of the budgets [kg]
+  double atol_velocity = 1e-5;                       ///< [m/s]
+  double atol_pressure = 0.1;                        ///< [Pa]
+  double atol_height = 1e-6;                         ///< [m]
+  double atol_mass = 1e-5;                           ///< of the budgets [kg]
+  std::optional<rheology::Newtonian> fluid = {};     ///< in place of grains: law and regularisation are not read
+  std::shared_ptr<const Forcing> forcing = nullptr;  ///< none: weight, jet and walls alone
 };
 
 }  // namespace talus::layer

@@ -43,6 +43,11 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
     refuse("inflow.rate", "nothing pours onto a uniform layer; expected 0 kg/s, or model.name = \"layer\"");
   if (!values.has("model.initial_thickness"))
     refuse("model.initial_thickness", "the column's layer neither grows nor drains; expected a number above 0 [m]");
+  const char* other = "; expected another setting, or model.name = \"layer\"";
+  if (scene.box.lid) refuse("box.surface", std::string("the column's surface is free") + other);
+  if (scene.box.base == experiment::Contact::free_slip)
+    refuse("box.base", std::string("grains stick to the column's base") + other);
+  if (scene.box.base_speed != 0.0) refuse("box.base_speed", std::string("the column's base stands still") + other);
   if (!problems.none() || scene.initial.state != Initial::State::steady) return;
   const auto start = steady_start(scene);
   if (!start) refuse("initial.tilt", "no steady profile to start from: " + start.reason());

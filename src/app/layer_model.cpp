@@ -15,6 +15,12 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
     refuse("model.initial_thickness", "expected at least model.film = " + words::in_metres(film));
   if (film >= scene.box.height)
     refuse("model.film", "expected below box.height = " + words::in_metres(scene.box.height));
+  const auto& box = scene.box;
+  if (box.lid && !box.periodic && (box.left_open || box.right_open))
+    refuse("box.surface",
+           "a lid closes the box; expected box.periodic = true, or \"wall\" for both box.left and box.right");
+  if (box.lid && scene.inflow.rate > 0.0)
+    refuse("inflow.rate", "nothing pours through the lid; expected 0 kg/s, or box.surface = \"free\"");
   if (values.has("schedule.times"))
     refuse("schedule.times", "the layer model's box stands still; expected no schedule, or model.name = \"column\"");
   if (scene.initial.state != Initial::State::rest)

@@ -64,6 +64,13 @@ experiment::Inflow inflow_of(const Values& v) {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+std::optional<experiment::Lid> lid_of(const Values& v) {
+  if (!words::meaning(words::surfaces, v.text("box.surface"))) return std::nullopt;
+  return experiment::Lid{.contact = words::meaning(words::contacts, v.text("box.lid")),
+                         .speed = v.number("box.lid_speed"),
+                         .pressure = v.number("box.lid_pressure")};
+}
+
 experiment::Box box_of(const Values& v) {
   return {.length = v.number("box.length"),
           .height = v.number("box.height"),
@@ -71,8 +78,13 @@ experiment::Box box_of(const Values& v) {
           .gap = v.number("box.gap"),
           .gravity = v.number("box.gravity"),
           .periodic = v.boolean("box.periodic"),
-          .left_open = words::meaning(words::left_ends, v.text("box.left")),
-          .base_slope = v.number("box.base_slope")};
+          .left_open = words::meaning(words::ends, v.text("box.left")),
+          .base_slope = v.number("box.base_slope"),
+          .right_open = words::meaning(words::ends, v.text("box.right")),
+          .end_walls = words::meaning(words::contacts, v.text("box.end_walls")),
+          .base = words::meaning(words::contacts, v.text("box.base")),
+          .base_speed = v.number("box.base_speed"),
+          .lid = lid_of(v)};
 }
 
 /// `values` over `points`; empty where either is not given.

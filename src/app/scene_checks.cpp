@@ -33,6 +33,20 @@ class CrossChecks {
     }
   }
 
+  void walls(const Scene& scene) {
+    const auto& box = scene.box;
+    const auto slips = [&](const char* key) { return v_.text(key) == "free_slip"; };
+    const auto moves = [&](const char* key) { return v_.number(key) != 0.0; };
+    if (!box.lid && (slips("box.lid") || moves("box.lid_speed")))
+      refuse(moves("box.lid_speed") ? "box.lid_speed" : "box.lid", "there is no lid; expected box.surface = \"lid\"");
+    if (box.lid && slips("box.lid") && moves("box.lid_speed"))
+      refuse("box.lid_speed", "grains slip along the lid; expected 0 m/s, or box.lid = \"no_slip\"");
+    if (slips("box.base") && moves("box.base_speed"))
+      refuse("box.base_speed", "grains slip along the base; expected 0 m/s, or box.base = \"no_slip\"");
+    if (!slips("box.end_walls") && (box.periodic || (box.left_open && box.right_open)))
+      refuse("box.end_walls", "neither end is a wall; expected \"wall\" for box.left or box.right");
+  }
+
   void inflow(const Scene& scene) {
     if (!(scene.inflow.rate > 0.0)) return;
     const double L = scene.box.length, reach = 3.0 * scene.inflow.width;
@@ -111,6 +125,7 @@ void check_together(const Scene& scene, const Values& values, Problems& problems
   CrossChecks check(values, problems);
   check.name(scene.name);
   check.viscosity(scene);
+  check.walls(scene);
   check.inflow(scene);
   check.start(scene);
   check.schedule(scene);

@@ -25,10 +25,24 @@ void experiment(Schema& s) {
   s.add(number("gap", "m", "between the side walls, W").above(0.0));
   s.add(number("gravity", "m/s2", "acceleration of gravity, g").above(0.0));
   s.add(boolean("periodic", "the right end continues at the left end").fallback(false));
-  s.add(choice("left", words::of(words::left_ends), "the left end: grains may leave, or a wall; the right end is open")
+  s.add(choice("left", words::of(words::ends), "the left end: grains may leave, or a wall")
             .fallback(std::string("open")));
+  s.add(choice("right", words::of(words::ends), "the right end, likewise").fallback(std::string("open")));
+  s.add(choice("end_walls", words::of(words::contacts), "how grains meet the ends that are walls")
+            .fallback(std::string("free_slip")));
+  s.add(choice("base", words::of(words::contacts), "how grains meet the base").fallback(std::string("no_slip")));
+  s.add(number("base_speed", "m/s", "of a base to which grains stick, along x").fallback(0.0));
   s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x")
             .fallback(0.0));
+  const auto has_lid = [](const Values& v) { return words::meaning(words::surfaces, v.text("box.surface")); };
+  s.add(choice("surface", words::of(words::surfaces),
+               "above the grains: nothing, or a rigid lid at model.initial_thickness that keeps the box full")
+            .fallback(std::string("free")));
+  s.add(choice("lid", words::of(words::contacts), "how grains meet the lid").fallback(std::string("no_slip")));
+  s.add(number("lid_speed", "m/s", "of a lid to which grains stick, along x").fallback(0.0));
+  s.add(number("lid_pressure", "Pa", "of the grains on the lid, at its right end")
+            .at_least(0.0)
+            .required_if("box.surface is lid", has_lid));
 
   s.section("schedule", "how the box moves: tilt and gap linear between times, constant before and after");
   const auto moves = [](const Values& v) { return v.has("schedule.tilt") || v.has("schedule.gap"); };
@@ -142,8 +156,7 @@ void numerics(Schema& s) {
                        // a material file names no model
                        [](const Values& v) { return v.has("model.name") && model(v.text("model.name")).has_columns; }));
   s.add(integer("layers", "from the base to the surface").at_least(2).at_most(2000));
-  s.add(choice("spacing", words::of(words::spacings),
-               "of layers: clustered under the surface, or all alike")
+  s.add(choice("spacing", words::of(words::spacings), "of layers: clustered under the surface, or all alike")
             .fallback(std::string("clustered")));
   s.add(number("cluster_depth", "m",
                "clustered layers are uniform where the heap is much thinner, geometric where much deeper")

@@ -35,7 +35,10 @@ inline constexpr Table<grid::Spacing, 2> spacings{
     {{"clustered", grid::Spacing::clustered}, {"uniform", grid::Spacing::uniform}}};
 inline constexpr Table<Initial::State, 3> initial_states{
     {{"rest", Initial::State::rest}, {"profile", Initial::State::profile}, {"steady", Initial::State::steady}}};
-inline constexpr Table<bool, 2> left_ends{{{"open", true}, {"wall", false}}};
+inline constexpr Table<bool, 2> ends{{{"open", true}, {"wall", false}}};
+inline constexpr Table<bool, 2> surfaces{{{"free", false}, {"lid", true}}};
+inline constexpr Table<experiment::Contact, 2> contacts{
+    {{"no_slip", experiment::Contact::no_slip}, {"free_slip", experiment::Contact::free_slip}}};
 
 /// The laws by their place in rheology::Law.
 inline constexpr Table<std::size_t, 3> laws{{{"classical", 0}, {"partially_regularised", 1}, {"constant", 2}}};

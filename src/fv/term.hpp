@@ -8,18 +8,9 @@
 
 #include "core/scalar.hpp"
 #include "core/sparse_pattern.hpp"
+#include "fv/inputs.hpp"
 
 namespace talus::fv {
-
-using core::Index;
-
-/// What a kernel reads at one place: unknowns and their time derivatives, in the order that its `connect` gave.
-/// An absent input (index -1) reads as zero.
-template <class S, int N>
-struct Inputs {
-  std::array<S, N> y;
-  std::array<S, N> rate;
-};
 
 /// One of `of` parts of a term's places, in their order.
 struct Part {
@@ -33,7 +24,7 @@ struct Part {
 ///     static constexpr int n_in, n_out;    // unknowns read, rows added to
 ///     static constexpr bool uses_rate;     // reads y'
 ///     Index n_places() const;
-///     void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const;   // -1: absent
+///     void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const;   // -1: absent, see Inputs
 ///     template <class S>
 ///     void evaluate(const Context&, Index place, const Inputs<S, n_in>&, std::array<S, n_out>& out) const;
 ///
@@ -81,7 +72,7 @@ class KernelTerm final : public Term<Context> {
     entry_start_.assign(1, 0);
     for (std::size_t place = 0; place < in_.size(); ++place) {
       trace(context, place, [&](int o, int i) {
-        position_.push_back(static_cast<std::int32_t>(pattern.find(out_[place][o], in_[place][i])));
+        position_.push_back(static_cast<std::int32_t>(pattern.find(out_[place][o], unknown_of(in_[place][i]))));
         entry_.push_back({static_cast<std::uint8_t>(o), static_cast<std::uint8_t>(i)});
       });
       entry_start_.push_back(position_.size());
@@ -101,8 +92,8 @@ class KernelTerm final : public Term<Context> {
     for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
       for (int i = 0; i < n_in; ++i) {
         const Index index = in_[place][i];
-        inputs.y[i] = index < 0 ? 0.0 : y[index];
-        if constexpr (Kernel::uses_rate) inputs.rate[i] = index < 0 ? 0.0 : yp[index];
+        inputs.y[i] = read(y, index);
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = read(yp, index);
       }
       out.fill(0.0);
       kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
@@ -118,8 +109,9 @@ class KernelTerm final : public Term<Context> {
     for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
       for (int i = 0; i < n_in; ++i) {
         const Index index = in_[place][i];
-        inputs.y[i] = index < 0 ? Dual(0.0) : Dual::input(y[index], i);
-        if constexpr (Kernel::uses_rate) inputs.rate[i] = index < 0 ? Dual(0.0) : Dual::input(yp[index], i, c_j);
+        const double sign = index >= 0 ? 1.0 : (index < -1 ? -1.0 : 0.0);
+        inputs.y[i] = Dual::input(read(y, index), i, sign);
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = Dual::input(read(yp, index), i, sign * c_j);
       }
       out.fill(Dual(0.0));
       kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
@@ -139,7 +131,7 @@ class KernelTerm final : public Term<Context> {
     Inputs<Trace, n_in> inputs;
     std::array<Trace, n_out> out;
     for (int i = 0; i < n_in; ++i) {
-      inputs.y[i] = in_[place][i] < 0 ? Trace(0.0) : Trace::input(i);
+      inputs.y[i] = in_[place][i] == -1 ? Trace(0.0) : Trace::input(i);
       inputs.rate[i] = inputs.y[i];
     }
     out.fill(Trace(0.0));
@@ -152,7 +144,7 @@ class KernelTerm final : public Term<Context> {
   template <class Visit>
   void for_each_entry(const Context& context, Visit&& visit) const {
     for (std::size_t place = 0; place < in_.size(); ++place)
-      trace(context, place, [&](int o, int i) { visit(out_[place][o], in_[place][i]); });
+      trace(context, place, [&](int o, int i) { visit(out_[place][o], unknown_of(in_[place][i])); });
   }
 
   Kernel kernel_;

@@ -101,6 +101,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoCapAndNoFloor", "alpha = 1.9", "alpha = 1.9\ncap = \"none\"\nrate_speed = 0.0",
                 "<cap>: rheology.cap: without a cap the viscosity needs a floor: rheology.rate_floor or "
                 "rheology.rate_speed above 0"},
+        Mistake{
+            "LidOnAnOpenBox", "gravity = 9.81 ", "surface = \"lid\"\nlid_pressure = 100.0\ngravity = 9.81 ",
+            "<surface>: box.surface: a lid closes the box; expected box.periodic = true, or \"wall\" for both box.left "
+            "and box.right\n"
+            "<rate>: inflow.rate: nothing pours through the lid; expected 0 kg/s, or box.surface = \"free\""},
+        Mistake{"LidThatIsNotThere", "gravity = 9.81 ", "lid_speed = 0.1\ngravity = 9.81 ",
+                "<lid_speed>: box.lid_speed: there is no lid; expected box.surface = \"lid\""},
+        Mistake{"BaseThatSlipsAndMoves", "gravity = 9.81 ", "base = \"free_slip\"\nbase_speed = 0.1\ngravity = 9.81 ",
+                "<base_speed>: box.base_speed: grains slip along the base; expected 0 m/s, or box.base = \"no_slip\""},
+        Mistake{"WallsThatAreNotThere", "gravity = 9.81 ", "end_walls = \"no_slip\"\ngravity = 9.81 ",
+                "<end_walls>: box.end_walls: neither end is a wall; expected \"wall\" for box.left or box.right"},
         Mistake{"NameThatIsNoFolder", "name = \"heap_q46\"", "name = \"../heap\"",
                 "<name>: scene.name: expected letters, digits, - and _ only"},
         Mistake{"LayerThinnerThanItsFilm", "name = \"layer\"", "name = \"layer\"\ninitial_thickness = 1e-4",

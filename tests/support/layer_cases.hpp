@@ -28,4 +28,19 @@ inline layer::Parameters periodic_layer(double length, double thickness, double 
       .initial = {thickness}};
 }
 
+/// A box of length and thickness 1 m full of a fluid of density 1 kg/m3 and viscosity `eta` [Pa s], without weight, under a lid to
+/// which it sticks; joined at its ends, central advection, tolerances far below any error of the grid.
+inline layer::Parameters fluid_box(double eta, int columns, int layers) {
+  auto par = periodic_layer(1.0, 1.0, 0.0, columns, layers);
+  par.box.gravity = 0.0;
+  par.box.lid = experiment::Lid{};
+  par.grains = rheology::grains(1.0, 1.0, 1e-3);
+  par.fluid = rheology::Newtonian{eta};
+  par.numerics = {.advection = layer::Advection::central, .film = 1e-6, .jump_from = 3.0, .jump_to = 4.0};
+  par.atol_velocity = 1e-8;
+  par.atol_pressure = 1e-7;
+  par.atol_height = 1e-9;
+  return par;
+}
+
 }  // namespace talus::tests

@@ -95,6 +95,27 @@ TEST(Scene, GoesIntoTheModelInSiUnitsAndRadians) {
   EXPECT_NEAR(std::get<rheology::PartiallyRegularised>(p.law).A, 2257.43947669322, 1e-8);
 }
 
+TEST(Scene, HasALidAndWallsWhereItSaysSo) {
+  const auto shear_cell = TALUS_SOURCE_DIR "/runs/examples/shear_cell.toml";
+  const auto sheared = app::make_layer_parameters(app::read_scene(shear_cell, {"box.base_speed=-0.02"})).box;
+  ASSERT_TRUE(sheared.lid);
+  EXPECT_EQ(sheared.lid->contact, experiment::Contact::no_slip);
+  EXPECT_EQ(sheared.lid->speed, 0.05);
+  EXPECT_EQ(sheared.lid->pressure, 500.0);
+  EXPECT_EQ(sheared.base, experiment::Contact::no_slip);
+  EXPECT_EQ(sheared.base_speed, -0.02);
+  EXPECT_EQ(sheared.end_walls, experiment::Contact::free_slip);
+  const auto box = app::make_layer_parameters(
+                       app::read_scene(shear_cell, {"box.surface=free", "box.lid_speed=0", "box.base=free_slip",
+                                                    "box.periodic=false", "box.right=wall", "box.end_walls=no_slip"}))
+                       .box;
+  EXPECT_FALSE(box.lid);
+  EXPECT_EQ(box.base, experiment::Contact::free_slip);
+  EXPECT_TRUE(box.left_open);
+  EXPECT_FALSE(box.right_open);
+  EXPECT_EQ(box.end_walls, experiment::Contact::no_slip);
+}
+
 TEST(Scene, RecomputesTheCrossoverWhereItIsNotGiven) {
   auto toml = app::read_scene(TALUS_SOURCE_DIR "/runs/examples/heap_q46.toml").effective;
   const auto at = toml.find("I_N = 0.05178");

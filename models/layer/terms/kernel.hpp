@@ -20,7 +20,9 @@ struct Kernel {
   [[nodiscard]] double width(int f) const { return columns.is_end(f) ? 0.5 : 1.0; }
   /// Whether the end faces of this kind leak: an open end, not a wall and not a seam.
   [[nodiscard]] bool left_end(int f) const { return !columns.periodic && f == 0 && unknowns.u(0, 0) >= 0; }
-  [[nodiscard]] bool right_end(int f) const { return !columns.periodic && f == columns.n_columns; }
+  [[nodiscard]] bool right_end(int f) const {
+    return !columns.periodic && f == columns.n_columns && unknowns.u(f, 0) >= 0;
+  }
 };
 
 /// The rows that the momentum volume about (face f, layer k) feeds: its own row along the layer, and a quarter each of its

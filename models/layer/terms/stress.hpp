@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "layer/bounds.hpp"
 #include "layer/terms/kernel.hpp"
 
 namespace talus::layer {
@@ -13,7 +14,8 @@ struct Stress {
 };
 
 template <class S>
-Stress<S> granular_stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p, const S& H) {
+Stress<S> stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p, const S& H) {
+  if (par.fluid) return {(2.0 * par.fluid->eta) * D_xx, (2.0 * par.fluid->eta) * D_xz};
   const auto& reg = par.regularisation;
   const S D_norm_squared = D_xx * D_xx + D_xz * D_xz;
   const S eta = reg.rate_speed > 0.0
@@ -25,7 +27,7 @@ Stress<S> granular_stress(const Parameters& par, const S& D_xx, const S& D_xz, c
 }
 
 /// Strain rate at a cell corner: interface k of face f, k < n_layers. The shear across layers is one compact difference;
-/// D_xx follows from D_zz by incompressibility; on the no-slip base the velocity below is zero.
+/// D_xx follows from D_zz by incompressibility; on the base the velocity below is the base's.
 template <class S>
 struct CornerStrain {
   S D_xx, D_xz;
@@ -50,17 +52,18 @@ struct CornerSlots {
 };
 
 template <class S, int N>
-CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, const std::array<S, CornerSlots::n_in>& y) {
+CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, double base_speed,
+                              const std::array<S, CornerSlots::n_in>& y) {
   const S* omega_left = &y[CornerSlots::omega_];
   const S* omega_right = omega_left + 3;
   const auto omega = [&](int j) { return S(0.5 * (omega_left[j] + omega_right[j])); };
-  const S& u_below = y[0];
+  const S u_below = k > 0 ? y[0] : S(base_speed);
   const S& u_above = y[1];
   const S slope = g.slope_corner(2, k);
   const S w_above = u_above * g.slope_face(2, k) + 0.5 * (omega(1) + omega(2));
   const S dz = k > 0 ? S(0.5 * (g.h_face(2, k - 1) + g.h_face(2, k))) : S(0.5 * g.h_face(2, 0));
-  const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(0.0);
-  const S u = k > 0 ? S(0.5 * (u_below + u_above)) : S(0.0);
+  const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(base_speed * slope);
+  const S u = k > 0 ? S(0.5 * (u_below + u_above)) : u_below;
   const S u_z = (u_above - u_below) / dz;
   const S w_z = (w_above - w_below) / dz;
   const S stretch = slope * u_z - w_z;  // du/dx along the layer
@@ -78,8 +81,28 @@ S corner_pressure(const Heights<S, N>& g, int k, const std::array<S, CornerSlots
   return (p_other * h_above + p_k * h_below) / (h_below + h_above);
 }
 
+/// Force tau n of a stress per unit length of x on a line with normal n = (-slope, 1).
+template <class S>
+struct Traction {
+  S x, z;
+};
+
+/// tau_xz where the traction on a line of that slope is T.
+template <class S>
+S shear_of(const Traction<S>& T, const S& slope) {
+  return (T.x - slope * T.z) / (1.0 + slope * slope);
+}
+
+/// Traction on a wall without shear stress, given how fast the grains along it stretch: normal to it.
+template <class S>
+Traction<S> smooth_wall_traction(const Parameters& par, const S& stretch, const S& slope, const S& p, const S& H) {
+  const auto tau = stress(par, stretch, S(0.0), p, H);  // along the wall
+  return {S(slope * tau.xx), S(-tau.xx)};
+}
+
 /// Traction on interface k between two momentum volumes of face f, and the shear on the upright face between the two
-/// vertical-momentum volumes beside it. The surface (k = n_layers) is free of traction.
+/// vertical-momentum volumes beside it: at an end, on the wall if grains stick to it. The surface (k = n_layers) is free of
+/// traction here.
 struct CornerStress : Kernel, CornerSlots {
   static constexpr int n_in = CornerSlots::n_in, n_out = 12;
 
@@ -90,19 +113,27 @@ struct CornerStress : Kernel, CornerSlots {
     out.fill(-1);
     if (k > 0) connect_momentum(unknowns, f, k - 1, out, 0);
     connect_momentum(unknowns, f, k, out, 5);
-    if (k > 0 && !columns.is_end(f)) {
-      out[10] = unknowns.momentum_w(f - 1, k);
-      out[11] = unknowns.momentum_w(f, k);
+    if (k > 0 && (!columns.is_end(f) || sticks(f))) {
+      if (columns.has_column(f - 1)) out[10] = unknowns.momentum_w(f - 1, k);
+      if (columns.has_column(f)) out[11] = unknowns.momentum_w(f, k);
     }
   }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
+    const Parameters& par = *c.parameters;
     const Heights<S, n_in> g(c, f - 2, in, H_);
-    const auto strain = corner_strain(g, k, columns.dx(), in.y);
     const S p = corner_pressure(g, k, in.y);
-    const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, p, S(0.5 * (g.H(1) + g.H(2))));
+    const S H = 0.5 * (g.H(1) + g.H(2));
     const S slope = g.slope_corner(2, k);
+    if (k == 0 && par.box.base == Contact::free_slip) {
+      const S rise = in.y[1] * (slope - g.slope_face(2, 0)) - 0.5 * (0.5 * (in.y[omega_ + 2] + in.y[omega_ + 5]));
+      const auto T = smooth_wall_traction(par, S(rise / (0.5 * g.h_face(2, 0))), slope, p, H);
+      scatter_momentum(S(width(f) * T.x), S(width(f) * T.z), g.slope_face(2, k), out, 5);
+      return;
+    }
+    const auto strain = corner_strain(g, k, columns.dx(), k == 0 ? base_speed(c, f) : 0.0, in.y);
+    const auto tau = stress(par, strain.D_xx, strain.D_xz, p, H);
     const S T_x = width(f) * (tau.xz - slope * tau.xx);
     const S T_z = width(f) * (-tau.xx - slope * tau.xz);
     if (k > 0) scatter_momentum(S(-T_x), S(-T_z), g.slope_face(2, k - 1), out, 0);
@@ -113,6 +144,10 @@ struct CornerStress : Kernel, CornerSlots {
       out[11] += shear;
     }
   }
+
+ private:
+  /// Whether face f is a wall to which grains stick: omega then changes its sign across it.
+  [[nodiscard]] bool sticks(int f) const { return unknowns.omega(f - 1, 1) < -1 || unknowns.omega(f, 1) < -1; }
 };
 
 /// Inputs of the cell-centre stencil, shared by stress and diagnostics.
@@ -132,21 +167,30 @@ struct CentreSlots {
 };
 
 template <class S, int N>
-CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, double dx,
+CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, double dx, const Bounds& bounds,
                               const std::array<S, CentreSlots::n_in>& y) {
   const auto u = [&](int j) { return S(0.5 * (y[j] + y[3 + j])); };
   const auto omega_mean = [&](int c) {
     return S(0.5 * (y[CentreSlots::omega_ + 2 * c] + y[CentreSlots::omega_ + 2 * c + 1]));
   };
   const S h = g.h(2, k);
-  const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : S(0.5 * h);
+  // Below and above, either the next layer, or a wall, or the mirror image beyond a boundary free of shear.
+  const bool on_smooth_base = k == 0 && bounds.base == Contact::free_slip;
+  const S u_below = k > 0 ? u(0) : (on_smooth_base ? u(1) : S(bounds.base_speed));
+  const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : (on_smooth_base ? h : S(0.5 * h));
   S u_z;
-  if (k == n_layers - 1) {
+  if (k < n_layers - 1) {
+    u_z = (u(2) - u_below) / (reach_down + 0.5 * (h + g.h(2, k + 1)));
+  } else if (bounds.top == Top::grains) {
     // Under a free surface I varies slowly and p grows as the depth: shear grows as its square root, from the middle of the
     // top layer to its foot by sqrt(2).
-    u_z = (u(1) - u(0)) / reach_down * std::numbers::sqrt2 * 0.5;
+    u_z = (u(1) - u_below) / reach_down * std::numbers::sqrt2 * 0.5;
+  } else if (bounds.top == Top::fluid) {
+    u_z = (u(1) - u_below) / reach_down;
+  } else if (bounds.top == Top::no_slip) {
+    u_z = (bounds.lid_speed - u_below) / (reach_down + 0.5 * h);
   } else {
-    u_z = (u(2) - u(0)) / (reach_down + 0.5 * (h + g.h(2, k + 1)));
+    u_z = (u(1) - u_below) / (reach_down + h);
   }
   const S slope = g.slope_centre(2, k);
   const S u_x = (y[4] - y[1]) / dx;
@@ -171,8 +215,8 @@ struct CentreStress : Kernel, CentreSlots {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place);
     const Heights<S, n_in> g(c, i - 2, in, H_);
-    const auto strain = centre_strain(g, k, columns.n_layers, columns.dx(), in.y);
-    const auto tau = granular_stress(*c.parameters, strain.D_xx, strain.D_xz, in.y[p_], g.H(2));
+    const auto strain = centre_strain(g, k, columns.n_layers, columns.dx(), bounds(c, i), in.y);
+    const auto tau = stress(*c.parameters, strain.D_xx, strain.D_xz, in.y[p_], g.H(2));
     const S area = g.h(2, k) / columns.dx();
     out[0] -= area * (tau.xx + g.slope_face(2, k) * tau.xz);
     out[1] += area * (tau.xx + g.slope_face(3, k) * tau.xz);

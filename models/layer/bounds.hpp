@@ -1,0 +1,46 @@
+#pragma once
+
+#include "layer/context.hpp"
+
+namespace talus::layer {
+
+/// What the top layer has above it.
+enum class Top : std::uint8_t {
+  grains,     ///< a free surface of grains: the shear rate grows as the root of the depth
+  fluid,      ///< a free surface of a viscous fluid: as its slope and stretching let it be
+  no_slip,    ///< a lid at which grains stick
+  free_slip,  ///< a lid without shear stress
+};
+
+inline Top top_of(const Parameters& par) {
+  if (par.box.lid) return par.box.lid->contact == Contact::no_slip ? Top::no_slip : Top::free_slip;
+  return par.fluid ? Top::fluid : Top::grains;
+}
+
+/// Speed along x [m/s] of the base and of the lid at face f, where grains stick to them.
+inline double base_speed(const Context& c, int f) {
+  const Parameters& par = *c.parameters;
+  return par.forcing ? par.forcing->base_speed(f, c.t) : par.box.base_speed;
+}
+inline double lid_speed(const Context& c, int f) {
+  const Parameters& par = *c.parameters;
+  return par.forcing ? par.forcing->lid_speed(f, c.t) : par.box.lid->speed;
+}
+
+/// What bounds a column from below and above: the speeds [m/s] are those in its middle, where grains stick.
+struct Bounds {
+  Contact base;
+  double base_speed;
+  Top top;
+  double lid_speed;
+};
+
+inline Bounds bounds(const Context& c, int i) {
+  const auto middle = [&](double (*speed)(const Context&, int)) { return 0.5 * (speed(c, i) + speed(c, i + 1)); };
+  Bounds b{c.parameters->box.base, 0.0, top_of(*c.parameters), 0.0};
+  if (b.base == Contact::no_slip) b.base_speed = middle(base_speed);
+  if (b.top == Top::no_slip) b.lid_speed = middle(lid_speed);
+  return b;
+}
+
+}  // namespace talus::layer
