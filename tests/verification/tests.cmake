@@ -3,6 +3,7 @@ talus_test(verification steady_bagnold ROOMS steady LIBRARIES nlohmann_json::nlo
 talus_test(verification steady_regularised_profile ROOMS steady)
 talus_test(verification layer_uniform ROOMS app)
 talus_test(verification layer_steady_state ROOMS app bridge kinsol)
+talus_test(verification layer_ill_posedness ROOMS app)
 talus_test(verification heap_steady ROOMS app LABELS slow)
 talus_test(verification ida_order ROOMS core linear ida diagnostics)
 talus_test(verification layer_time ROOMS layer ida)
