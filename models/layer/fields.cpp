@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "diagnostics/heap_shape.hpp"
+#include "diagnostics/ill_posedness.hpp"
 #include "layer/cell_state.hpp"
 #include "layer/film.hpp"
 #include "layer/jet.hpp"
@@ -25,6 +26,7 @@ struct View {
   std::optional<diagnostics::Face> face;
   diagnostics::Apex apex;
   double roughness;
+  diagnostics::IllPosedness ill_posed;  ///< shares of the flowing area
 
   [[nodiscard]] double read(Index index) const { return index < 0 ? 0.0 : snapshot.y[index]; }
   [[nodiscard]] double rate(Index index) const { return index < 0 ? 0.0 : snapshot.yp[index]; }
@@ -48,8 +50,27 @@ double face_roughness(std::span<const double> H, std::span<const double> top,
   return largest;
 }
 
+/// Flowing are cells faster than 1 % of their column's surface in columns well above the film, in which u means nothing.
+diagnostics::IllPosedness ill_posedness_of(const View& v) {
+  constexpr double slowest = 0.01;
+  const auto& par = v.layer.parameters();
+  const double thinnest = par.numerics.film * (1.0 + par.numerics.film_blend);
+  const auto speed = [](const CellState& cell) { return std::hypot(cell.u, cell.w); };
+  std::vector<double> I, area;
+  for (int k = 0; k < v.nz(); ++k) {
+    for (int i = 0; i < v.nx(); ++i) {
+      const CellState &cell = v.cells[std::size_t(k) * v.nx() + i],
+                      &top = v.cells[std::size_t(v.nz() - 1) * v.nx() + i];
+      const bool flows = v.H[i] > thinnest && speed(cell) > slowest * speed(top) && cell.I >= 0.0;
+      I.push_back(cell.I);
+      area.push_back(flows ? v.layer.columns().dx() * (v.z(i, k + 1) - v.z(i, k)) : 0.0);
+    }
+  }
+  return diagnostics::ill_posedness(par.law, I, area);
+}
+
 View make_view(const Layer& layer, const core::Snapshot& snapshot) {
-  View v{layer, snapshot, layer.context(snapshot.t, snapshot.y), {}, {}, {}, {0, nothing, nothing}, nothing};
+  View v{layer, snapshot, layer.context(snapshot.t, snapshot.y), {}, {}, {}, {0, nothing, nothing}, nothing, {}};
   for (int k = 0; k < v.nz(); ++k)
     for (int i = 0; i < v.nx(); ++i) v.cells.push_back(cell_state(layer, v.context, snapshot.y, i, k));
   std::vector<double> top;
@@ -63,6 +84,7 @@ View make_view(const Layer& layer, const core::Snapshot& snapshot) {
     v.face = diagnostics::right_face(surface);
     v.roughness = face_roughness(v.H, top, v.face);
   }
+  v.ill_posed = ill_posedness_of(v);
   return v;
 }
 
@@ -247,7 +269,13 @@ std::vector<Entry> numbers(double first_mass) {
           one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
           one("surface_roughness", "1",
               "largest second difference of H over the straight right face, as a share of the top layer",
-              [](const View& v) { return v.roughness; })};
+              [](const View& v) { return v.roughness; }),
+          one("ill_posed_share", "1", "share of the flowing area in which C of (3.18) is positive",
+              [](const View& v) { return v.ill_posed.C_positive; }),
+          one("growing_share", "1", "share of the flowing area in which short waves grow by linear theory",
+              [](const View& v) { return v.ill_posed.growing; }),
+          one("not_elliptic_share", "1", "share of the flowing area in which mu - I mu'/2 is not below 1",
+              [](const View& v) { return v.ill_posed.not_elliptic; })};
 }
 
 std::vector<Entry> entries(const Layer& layer) {

@@ -1,5 +1,7 @@
 #include "app/interrupt.hpp"
 
+#include <initializer_list>
+
 namespace talus::app {
 namespace {
 
@@ -25,9 +27,14 @@ Interrupt::Interrupt() {
   handle(SIGTERM, remember, once, old_terminate_);
   handle(
       SIGUSR1, [](int) { save_asked = 1; }, 0, old_user_);
+  sigset_t heard;
+  sigemptyset(&heard);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&heard, signal);
+  sigprocmask(SIG_UNBLOCK, &heard, &old_mask_);
 }
 
 Interrupt::~Interrupt() {
+  sigprocmask(SIG_SETMASK, &old_mask_, nullptr);
   sigaction(SIGINT, &old_interrupt_, nullptr);
   sigaction(SIGTERM, &old_terminate_, nullptr);
   sigaction(SIGUSR1, &old_user_, nullptr);

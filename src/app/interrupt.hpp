@@ -5,7 +5,8 @@
 namespace talus::app {
 
 /// While alive, SIGINT and SIGTERM ask for a clean stop after the current step, SIGUSR1 for a checkpoint. A second SIGINT
-/// (or SIGTERM) ends the program at once. At most one object at a time.
+/// (or SIGTERM) ends the program at once. Where the program was started with them blocked, what has come until now is
+/// heard now. At most one object at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -22,6 +23,7 @@ class Interrupt {
   struct sigaction old_interrupt_ {};
   struct sigaction old_terminate_ {};
   struct sigaction old_user_ {};
+  sigset_t old_mask_{};
 };
 
 }  // namespace talus::app

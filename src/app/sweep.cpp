@@ -146,10 +146,14 @@ int run_member(const std::filesystem::path& folder, std::size_t member, const st
   const SweepFolder place(folder, manifest.members.size());
   const auto run_folder = folder / place.member(member);
   const auto state = sweep::member_state(run_folder, output::contents(folder / place.scene(member)));
-  if (sweep::next_action(state) == sweep::Action::skip) {
-    std::printf("%s: finished before\n", place.member(member).c_str());
-    return 0;
+  switch (sweep::next_action(state)) {
+    case sweep::Action::skip: std::printf("%s: finished before\n", place.member(member).c_str()); return 0;
+    case sweep::Action::restart: return restart({run_folder, {}, {}, command});
+    case sweep::Action::run: break;
   }
+  if (!state.damage.empty())
+    std::fprintf(stderr, "warning: %s: %s, and no other checkpoint is whole: it begins anew\n",
+                 place.member(member).c_str(), state.damage.c_str());
   RunRequest request;
   request.scene_file = folder / place.scene(member);
   request.out = run_folder;

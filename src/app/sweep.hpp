@@ -19,13 +19,15 @@ struct SweepRequest {
   std::optional<sweep::Engine> engine;       ///< write a script for it, run nothing
 };
 
-/// Runs the members of a sweep that are not finished, each as a process of `talus run`. Returns the program's exit code:
+/// Runs the members of a sweep that are not finished, each as a process of `talus member`. Returns the program's exit code:
 /// 0 where all members are finished, members_failed, or restartable after SIGINT, SIGTERM or SIGHUP: the same command
 /// goes on. Throws core::Error.
 int sweep(const SweepRequest& request);
 
-/// Runs one member of a sweep's folder in this process unless it is finished: what scripts for other engines call.
-/// Returns the exit code of its run. Throws what run() throws; core::ConfigError where there is no such member.
+/// Runs one member of a sweep's folder in this process, or goes on with it where it can (sweep::next_action), unless it
+/// is finished: what sweeps and the scripts for other engines call.
+/// Returns the exit code of its run. Throws what run() and restart()
+/// throw; core::ConfigError where there is no such member.
 int run_member(const std::filesystem::path& folder, std::size_t member, const std::string& command);
 
 }  // namespace talus::app

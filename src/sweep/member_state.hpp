@@ -23,9 +23,11 @@ struct MemberState {
   int exit_code = -1;      ///< -1 where there is no summary
   std::string reason;      ///< why it stopped or failed
   bool same_scene = true;  ///< false where the run is one of another scene
+  bool goes_on = false;  ///< it did not fail by itself (stopped, killed, disk full), and a whole checkpoint lies there
+  std::string damage;    ///< what is wrong with the newest checkpoint where none is whole
 };
 
-/// Reads the folder's scene.toml and summary.json. `scene` is the effective scene that the member should have.
+/// Reads the folder's scene.toml, summary.json and, of a run that is not finished, checkpoints. `scene` is the effective scene that the member should have.
 MemberState member_state(const std::filesystem::path& folder, std::string_view scene);
 
 }  // namespace talus::sweep

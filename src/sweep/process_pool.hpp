@@ -16,7 +16,8 @@ struct Command {
 };
 
 /// Child processes, each in a process group of its own, so that a Ctrl-C in the terminal reaches only the parent, which
-/// passes on what it wants. Their standard input is empty.
+/// passes on what it wants. Their standard input is empty. They start with SIGTERM blocked, so that one that comes before
+/// they can answer it waits: the program must unblock it (app::Interrupt does).
 class ProcessPool {
  public:
   struct Ended {

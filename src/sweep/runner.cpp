@@ -48,15 +48,9 @@ class Runner {
     queue_.pop_front();
     ++attempts_[member];
     const auto run_folder = folder_.path() / folder_.member(member);
-    Command command{{options_.program}, run_folder / "console.log"};
-    if (next_action(manifest_.members[member]) == Action::restart) {
-      command.arguments.insert(command.arguments.end(), {"restart", run_folder.string()});
-    } else {
-      command.arguments.insert(command.arguments.end(), {"run", (folder_.path() / folder_.scene(member)).string(),
-                                                         "--out", run_folder.string(), "--force"});
-    }
     std::filesystem::create_directories(run_folder);
-    pool_.start(member, command);
+    pool_.start(member, {{options_.program, "member", folder_.path().string(), std::to_string(member)},
+                         run_folder / "console.log"});
   }
 
   void hear(int signal) {
@@ -107,7 +101,7 @@ class Runner {
 Action next_action(const MemberState& state) {
   if (!state.same_scene) return Action::run;
   if (state.status == Status::finished) return Action::skip;
-  return state.exit_code == static_cast<int>(core::ExitCode::restartable) ? Action::restart : Action::run;
+  return state.goes_on ? Action::restart : Action::run;
 }
 
 int run_members(Manifest& manifest, const SweepFolder& folder, const std::vector<std::string>& scenes,

@@ -12,8 +12,8 @@ namespace talus::sweep {
 
 /// What is to be done with a member.
 enum class Action : std::uint8_t { skip, run, restart };
-/// Precondition: the run is one of the member's scene, or is to be replaced. Finished ones are skipped; those that exit
-/// code 75 says can be restarted are.
+/// Precondition: the run is one of the member's scene, or is to be replaced. Finished ones are skipped; those that can go
+/// on do, all others begin anew.
 Action next_action(const MemberState& state);
 
 struct RunnerOptions {
@@ -31,11 +31,12 @@ class RunnerWatch {
   virtual void idle(std::size_t running, std::size_t left) = 0;
 };
 
-/// Runs what is not finished, each member as a process of its own; one that fails is tried once more when the others are
+/// Runs what is not finished, each member as a process of `talus member`; one that fails is tried once more when the others are
 /// through. Keeps `manifest` and, every few seconds, its files up to date. After SIGINT, SIGTERM or SIGHUP the members
 /// are asked to stop (SIGTERM) and no other is started; after a second signal they are killed. Returns the signal, or 0.
 /// Throws core::OutputError.
-/// `scenes[i]` is the effective scene of member i. Preconditions: the scenes are written, the folder is ours alone.
+/// `scenes[i]` is the effective scene of member i. Preconditions: scenes and manifest are written, the folder is ours
+/// alone.
 int run_members(Manifest& manifest, const SweepFolder& folder, const std::vector<std::string>& scenes,
                 const RunnerOptions& options, RunnerWatch& watch);
 

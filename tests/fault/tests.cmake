@@ -7,3 +7,4 @@ set_target_properties(jumping_clock PROPERTIES COMPILE_OPTIONS "" LINK_OPTIONS "
 add_dependencies(test_stops jumping_clock)
 target_compile_definitions(test_stops PRIVATE TALUS_JUMPING_CLOCK="$<TARGET_FILE:jumping_clock>")
 talus_test(fault sweep PROGRAM ROOMS output LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(fault sweep_stops PROGRAM ROOMS output LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "support/signals.hpp"
 #include "support/small_sweep.hpp"
 
 /// Scripts for other engines: with the real GNU parallel, and Slurm's under a stand-in for its environment.
@@ -13,6 +14,7 @@ using talus::support::Outcome;
 using talus::support::outcome_of;
 using talus::support::Program;
 using talus::support::SmallSweep;
+using talus::support::stopped_at_once;
 using talus::support::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -68,6 +70,16 @@ TEST(GnuParallel, TriesAFailedMemberOnceMoreAndSaysSo) {
   EXPECT_EQ(called.size(), 8U) << called;
   EXPECT_TRUE(sweep.finished(0));
   EXPECT_TRUE(sweep.finished(2));
+}
+
+TEST(GnuParallel, GoesOnWithAStoppedMember) {
+  const SmallSweep sweep(angles);
+  ASSERT_EQ(sweep.sweep({"--write", "gnu-parallel"}).code, 0);
+  ASSERT_EQ(stopped_at_once(TALUS_PROGRAM, sweep.member_command(1)).code, 75);
+  const Outcome outcome = outcome_of((sweep.folder() / "run_parallel.sh").string(), {"--jobs", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_EQ(sweep.summary(1)["continued_from"], nlohmann::json::array({0.0}));
+  EXPECT_EQ(sweep.summary(0)["continued_from"].size(), 0U);
 }
 
 TEST(Scripts, ContentBashAndShellcheck) {
@@ -128,6 +140,22 @@ TEST_F(JobArray, TriesAFailedMemberOnceMore) {
             "called member . 2\nmember 2: attempt 1 ended with code 6\ncalled member . 2\n"
             "member 2: attempt 2 ended with code 6\n");
   EXPECT_EQ(asked(), "");
+}
+
+TEST_F(JobArray, GoesOnWithAStoppedMember) {
+  ASSERT_EQ(stopped_at_once(TALUS_PROGRAM, sweep_.member_command(1)).code, 75);
+  ASSERT_EQ(outcome_of("/bin/sh", task(1)).code, 0) << log(1);
+  EXPECT_EQ(sweep_.summary(1)["continued_from"], nlohmann::json::array({0.0}));
+}
+
+TEST_F(JobArray, QueuesItselfAgainWhereTheMemberCouldNotAnswerYet) {
+  write_program(spool_ / "talus", "echo ready; while :; do sleep 0.05; done");
+  Program job("/bin/sh", task(2, (spool_ / "talus").string()));
+  for (int i = 0; i < 500 && log(2).empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  job.send(SIGTERM);
+  EXPECT_EQ(job.wait(), 75);
+  EXPECT_EQ(log(2), "ready\n");
+  EXPECT_EQ(asked(), "requeue 77_2\n");
 }
 
 TEST_F(JobArray, PassesTheSignalOnAndQueuesItselfAgain) {

@@ -9,3 +9,6 @@ talus_test(regression cli_steady PROGRAM ROOMS rheology LIBRARIES nlohmann_json:
 talus_test(regression cli_hstop PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 add_test(NAME paper COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/paper.py $<TARGET_FILE:talus>)
 set_tests_properties(paper PROPERTIES LABELS regression-slow)
+# Eight members of the sweep of 500.
+add_test(NAME heap_slopes COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/heap_slopes.py $<TARGET_FILE:talus>)
+set_tests_properties(heap_slopes PROPERTIES LABELS regression)

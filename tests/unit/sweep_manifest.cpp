@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/errors.hpp"
+#include "output/checkpoint_folder.hpp"
 #include "output/text_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/manifest.hpp"
@@ -25,9 +26,9 @@ Manifest sample() {
           "s.toml",
           std::move(design),
           {{},
-           {Status::finished, 0, "", true},
-           {Status::failed, 6, "gave up\nat 3 s", true},
-           {Status::stopped, 75, "signal 15", true}}};
+           {Status::finished, 0, "", true, false, ""},
+           {Status::failed, 6, "gave up\nat 3 s", true, false, ""},
+           {Status::stopped, 75, "signal 15", true, true, ""}}};
 }
 
 TEST(Manifest, ReadsBackToItself) {
@@ -82,6 +83,15 @@ class MemberFolder : public testing::Test {
     std::ofstream(folder_ / "summary.json") << summary;
     return member_state(folder_.path(), "a = 1\n");
   }
+  void save(const std::string& scene) {
+    output::Checkpoint checkpoint;
+    checkpoint.y = checkpoint.yp = {1.0};
+    checkpoint.fields = {"u"};
+    checkpoint.field_of = {0};
+    checkpoint.scene = scene;
+    output::CheckpointFolder(folder_.path()).write(checkpoint);
+  }
+  void damage(const char* name) { std::ofstream(folder_ / name, std::ios::app) << "x"; }
   support::TemporaryFolder folder_;
 };
 
@@ -97,14 +107,38 @@ TEST_F(MemberFolder, SaysWhatBecameOfTheRun) {
   EXPECT_TRUE(failed.same_scene);
 }
 
-TEST_F(MemberFolder, DecidesWhatIsToBeDone) {
+const std::string killed,
+    stopped = "{\"status\": \"stopped\", \"exit_code\": 75}", disk_full = "{\"status\": \"failed\", \"exit_code\": 5}",
+    failed = "{\"status\": \"failed\", \"exit_code\": 6}", finished = "{\"status\": \"finished\", \"exit_code\": 0}";
+
+TEST_F(MemberFolder, WithoutACheckpointBeginsAnewUnlessFinished) {
   EXPECT_EQ(next_action(MemberState{}), Action::run);
-  EXPECT_EQ(next_action(with("")), Action::run);
-  EXPECT_EQ(next_action(with("{\"status\": \"finished\", \"exit_code\": 0}")), Action::skip);
-  EXPECT_EQ(next_action(with("{\"status\": \"finished\", \"exit_code\": 0}", "a = 2\n")), Action::run);
-  EXPECT_EQ(next_action(with("{\"status\": \"failed\", \"exit_code\": 6}")), Action::run);
-  EXPECT_EQ(next_action(with("{\"status\": \"stopped\", \"exit_code\": 143}")), Action::run);
-  EXPECT_EQ(next_action(with("{\"status\": \"stopped\", \"exit_code\": 75}")), Action::restart);
-  EXPECT_EQ(next_action(with("{\"status\": \"stopped\", \"exit_code\": 75}", "a = 2\n")), Action::run);
+  for (const auto& summary : {killed, stopped, disk_full, failed}) EXPECT_EQ(next_action(with(summary)), Action::run);
+  EXPECT_EQ(next_action(with(finished)), Action::skip);
+  EXPECT_EQ(next_action(with(finished, "a = 2\n")), Action::run);
+}
+
+TEST_F(MemberFolder, GoesOnFromItsCheckpointUnlessItFailedByItself) {
+  save("a = 1\n");
+  for (const auto& summary : {killed, stopped, disk_full}) EXPECT_EQ(next_action(with(summary)), Action::restart);
+  EXPECT_EQ(next_action(with(failed)), Action::run);
+  EXPECT_EQ(next_action(with(finished)), Action::skip);
+  EXPECT_EQ(next_action(with(stopped, "a = 2\n")), Action::run);
+}
+
+TEST_F(MemberFolder, DoesNotGoOnFromACheckpointOfAnotherScene) {
+  save("a = 2\n");
+  EXPECT_EQ(next_action(with(stopped)), Action::run);
+}
+
+TEST_F(MemberFolder, GoesOnAsLongAsOneCheckpointIsWhole) {
+  save("a = 1\n");
+  save("a = 1\n");
+  damage("checkpoint_000002.nc");
+  EXPECT_EQ(next_action(with(stopped)), Action::restart);
+  EXPECT_EQ(with(stopped).damage, "");
+  damage("checkpoint_000001.nc");
+  EXPECT_EQ(next_action(with(stopped)), Action::run);
+  EXPECT_EQ(with(stopped).damage, "checkpoint_000002.nc does not agree with its checksum");
 }
 }  // namespace
