@@ -6,6 +6,7 @@ MAKEFLAGS += --no-print-directory
 
 JOBS    ?= $(shell nproc)
 RELEASE := build/release
+FUZZ_SECONDS ?= 600
 SCENE   ?= runs/examples/heap_q46.toml
 OUT     ?= out/$(basename $(notdir $(SCENE)))
 # Debian's own Python first: it has the packages, another one on the PATH may not.
@@ -20,8 +21,10 @@ PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3
 TEST_PACKAGES := parallel shellcheck
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
+# Not Debian's default clang 14, which cannot read the ranges of g++ 12's library.
+FUZZ_PACKAGES := clang-16 libclang-rt-16-dev
 
-.PHONY: help deps configure run paper test test-slow planted bench format check check-all clean
+.PHONY: help deps configure run paper test test-slow test-all planted fuzz bench format check check-all clean
 
 help: ## this list
 	@echo "make WAY, where WAY is one of"
@@ -54,9 +57,20 @@ test-slow: configure ## the tests that need minutes: refinement studies of whole
 	@cmake --build $(RELEASE) -j $(JOBS)
 	@ctest --test-dir $(RELEASE) --output-on-failure -j $(JOBS) --timeout 7200 --label-regex slow --no-tests=error
 
+test-all: test test-slow ## all tests; what the slow ones gave last stands in tests/README.md
+
 planted: deps ## plant each known fault in a copy of the tree and see its test fail (an hour); FAULTS=regular-expression for some
 	@.ci/deps $(TEST_PACKAGES)
 	@$(PYTHON) tests/planted/run.py $(if $(FAULTS),'$(FAULTS)')
+
+fuzz: ## feed the reader of scenes with what libFuzzer thinks up; FUZZ_SECONDS=600
+	@.ci/deps $(BUILD_PACKAGES) $(FUZZ_PACKAGES)
+	@cmake -S . -B build/fuzz -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1' -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 \
+	  -DTALUS_FUZZ=ON -DTALUS_SANITIZE=address,undefined -DTALUS_WERROR=OFF --log-level=WARNING
+	@cmake --build build/fuzz -j $(JOBS) --target test_fuzz_scene
+	@mkdir -p build/fuzz/corpus
+	@build/fuzz/tests/test_fuzz_scene -max_total_time=$(FUZZ_SECONDS) -max_len=8192 -timeout=20 -artifact_prefix=build/fuzz/ \
+	  -seed_inputs=$$(echo runs/examples/*.toml | tr ' ' ,) build/fuzz/corpus
 
 bench: configure ## time the kernels; never asserted
 	@cmake --build $(RELEASE) -j $(JOBS) --target bench

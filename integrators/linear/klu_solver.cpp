@@ -3,6 +3,7 @@
 #include <klu.h>
 
 #include <algorithm>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -53,6 +54,7 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
   auto* given = settings_.ordering.data();
   factors->symbolic = name == "given" ? klu_l_analyze_given(pattern().n(), starts, rows, given, given, &common)
                                       : klu_l_analyze(pattern().n(), starts, rows, &common);
+  if (common.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
   if (factors->symbolic == nullptr) return nullptr;
   // Block triangular form with one block that is nearly all of the matrix only permutes it.
   if (common.btf != 0 && factors->symbolic->maxblock > pattern().n() * 9 / 10) return nullptr;
@@ -62,6 +64,7 @@ std::unique_ptr<KluSolver::Factors> KluSolver::attempt(const std::string& name, 
     if (max_fill > 0)
       common.initmem = 1.0;  // KLU begins with room for this many times the entries of the matrix, unlimited
     factors->numeric = klu_l_factor(starts, rows, const_cast<double*>(values().data()), factors->symbolic, &common);
+    if (common.status == KLU_OUT_OF_MEMORY && !MemoryLimit::refused()) throw std::bad_alloc();
   }
   if (factors->numeric == nullptr || common.status != KLU_OK) return nullptr;
   if (max_fill > 0 && factors->fill() > max_fill) return nullptr;
@@ -107,8 +110,8 @@ void KluSolver::factor_anew() {
     if (factors_->numeric == nullptr || common.status != KLU_OK) {
       const Index column = common.status == KLU_SINGULAR ? common.singular_col : -1;
       klu_l_free_numeric(&factors_->numeric, &common);
-      throw SingularMatrix(common.status == KLU_SINGULAR ? "KLU: the matrix is singular" : "KLU: out of memory",
-                           column);
+      if (common.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+      throw SingularMatrix("KLU: the matrix is singular", column);
     }
     klu_l_flops(factors_->symbolic, factors_->numeric, &common);
   }

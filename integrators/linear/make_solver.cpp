@@ -31,6 +31,7 @@ std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Se
     throw std::invalid_argument("make_solver: the given ordering must name each unknown once");
   }
   limit_blas_to_one_thread();
+  reserve_blas_work_space();
   if (auto solver = make_chosen(pattern, settings)) return solver;
   switch (settings.choice) {
     case Choice::klu:

@@ -8,9 +8,12 @@ namespace talus::linear {
 namespace {
 
 thread_local std::size_t limit = 0;
+thread_local bool has_refused = false;
 
 void* limited_realloc(void* block, std::size_t bytes) {
-  return limit > 0 && bytes > limit ? nullptr : std::realloc(block, bytes);
+  if (limit == 0 || bytes <= limit) return std::realloc(block, bytes);
+  has_refused = true;
+  return nullptr;
 }
 
 }  // namespace
@@ -20,6 +23,11 @@ MemoryLimit::MemoryLimit(std::size_t bytes) {
   limit = bytes;
 }
 
-MemoryLimit::~MemoryLimit() { limit = 0; }
+MemoryLimit::~MemoryLimit() {
+  limit = 0;
+  has_refused = false;
+}
+
+bool MemoryLimit::refused() { return has_refused; }
 
 }  // namespace talus::linear

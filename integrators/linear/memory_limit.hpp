@@ -15,6 +15,8 @@ class MemoryLimit {
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
   ~MemoryLimit();
+  /// Whether one that is alive has refused something; where none has, "out of memory" means what it says.
+  [[nodiscard]] static bool refused();
 };
 
 }  // namespace talus::linear

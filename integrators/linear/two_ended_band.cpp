@@ -1,54 +1,31 @@
 #include "linear/two_ended_band.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <thread>
 
+#include "core/both.hpp"
 #include "linear/blas.hpp"
 
 extern "C" {
-void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv, int* info);
+void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv,
+             int* info);
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
-void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* ipiv, double* b,
-             const int* ldb, int* info, std::size_t trans_length);
-void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab, const int* ldab,
-             const int* ipiv, double* b, const int* ldb, int* info, std::size_t trans_length);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* ipiv,
+             double* b, const int* ldb, int* info, std::size_t trans_length);
+void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab,
+             const int* ldab, const int* ipiv, double* b, const int* ldb, int* info, std::size_t trans_length);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
-            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c, const int* ldc,
-            std::size_t transa_length, std::size_t transb_length);
+            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
+            const int* ldc, std::size_t transa_length, std::size_t transb_length);
 }
 
 namespace talus::linear {
+
+using core::both;
+
 namespace {
 
 /// Below this many unknowns for each diagonal the separator costs more than the second thread saves.
 constexpr Index least_rows_per_diagonal = 12;
-
-/// Runs both, the second on a thread of its own if `in_threads`. Rethrows the first's exception before the second's.
-template <class First, class Second>
-void both(bool in_threads, First&& first, Second&& second) {
-  if (!in_threads) {
-    first();
-    second();
-    return;
-  }
-  std::exception_ptr failure;
-  std::thread other([&] {
-    try {
-      second();
-    } catch (...) {
-      failure = std::current_exception();
-    }
-  });
-  try {
-    first();
-  } catch (...) {
-    other.join();
-    throw;
-  }
-  other.join();
-  if (failure) std::rethrow_exception(failure);
-}
 
 }  // namespace
 
@@ -121,7 +98,8 @@ void TwoEndedBand::factor_part(Part& part, std::vector<double>& schur) const {
   const int window_n = static_cast<int>(w), m = static_cast<int>(separator_);
   std::vector<int> pivots(part.pivots.begin() + first, part.pivots.end());
   for (int& p : pivots) p -= static_cast<int>(first);
-  dgbtrs_("N", &window_n, &k, &k, &m, part.band.data() + first * leading(), &lead, pivots.data(), x.data(), &window_n, &info, 1);
+  dgbtrs_("N", &window_n, &k, &k, &m, part.band.data() + first * leading(), &lead, pivots.data(), x.data(), &window_n,
+          &info, 1);
   schur.assign(separator_ * separator_, 0.0);
   const double one = 1.0, zero = 0.0;
   dgemm_("N", "N", &m, &m, &window_n, &one, part.from.data(), &m, x.data(), &window_n, &zero, schur.data(), &m, 1, 1);
@@ -198,7 +176,8 @@ void TwoEndedBand::solve(std::span<double> b) const {
     for (Index j = 0; j < w; ++j)
       for (Index i = 0; i < separator_; ++i) seen[s][i] += part.from[j * separator_ + i] * y[j];
   };
-  both(true, [&] { descend(0); }, [&] { descend(1); });
+  both(
+      true, [&] { descend(0); }, [&] { descend(1); });
   for (Index i = 0; i < separator_; ++i) middle[i] -= seen[0][i] + seen[1][i];
   const int m = static_cast<int>(separator_), one = 1;
   int info = 0;
@@ -213,7 +192,8 @@ void TwoEndedBand::solve(std::span<double> b) const {
     for (Index i = 0; i < w; ++i) side[s][first + i] -= pulled[i];
     backward(part, 0, side[s]);
   };
-  both(true, [&] { ascend(0); }, [&] { ascend(1); });
+  both(
+      true, [&] { ascend(0); }, [&] { ascend(1); });
   std::copy(right.begin(), right.end(), b.rbegin());
 }
 

@@ -3,7 +3,10 @@
 #include <umfpack.h>
 
 #include <array>
+#include <new>
 #include <sstream>
+
+#include "linear/memory_limit.hpp"
 
 namespace talus::linear {
 
@@ -40,6 +43,8 @@ void UmfpackSolver::factor_anew() {
     record(static_cast<Index>(info[UMFPACK_LNZ] + info[UMFPACK_UNZ]), info[UMFPACK_FLOPS]);
   } else if (status == UMFPACK_WARNING_singular_matrix) {
     throw SingularMatrix("UMFPACK: the matrix is singular", -1);
+  } else if (status == UMFPACK_ERROR_out_of_memory && !MemoryLimit::refused()) {
+    throw std::bad_alloc();
   } else {
     throw SingularMatrix("UMFPACK: no factors, status " + std::to_string(status), -1);
   }
@@ -47,8 +52,10 @@ void UmfpackSolver::factor_anew() {
 
 void UmfpackSolver::substitute(std::span<double> b) {
   const std::vector<double> right_side(b.begin(), b.end());
-  umfpack_dl_solve(UMFPACK_A, pattern().column_starts().data(), pattern().rows().data(), values().data(), b.data(),
-                   right_side.data(), numeric_, control_.data(), nullptr);
+  const auto status =
+      umfpack_dl_solve(UMFPACK_A, pattern().column_starts().data(), pattern().rows().data(), values().data(), b.data(),
+                       right_side.data(), numeric_, control_.data(), nullptr);
+  if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
 }
 
 std::string UmfpackSolver::describe() const {

@@ -179,7 +179,7 @@ int command_line(int argc, const char* const* argv) noexcept {
   try {
     return act(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "talus: %s\n", error.what());
+    std::fprintf(stderr, "talus: %s\n", words_of(error).c_str());
     return exit_code_of(error);
   }
 }

@@ -117,6 +117,7 @@ void Driver::save(bool goes_on) {
   checkpoint.summary = with_.summary.state();
   checkpoint.talus_version = output::version();
   checkpoint.revision = output::git_revision();
+  with_.folder.check_in_place();
   const std::string file = with_.folder.checkpoints().write(checkpoint);
   with_.summary.saved(now.t);
   with_.log.info("{} at t = {:.6g} s", file, now.t);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -43,6 +44,14 @@ RunFolder::RunFolder(std::filesystem::path path, Claim claim) : path_(std::move(
 }
 
 RunFolder::~RunFolder() { close(handle_); }
+
+void RunFolder::check_in_place() const {
+  struct stat held {
+  }, found{};
+  const bool in_place = fstat(handle_, &held) == 0 && stat(path_.c_str(), &found) == 0 && held.st_dev == found.st_dev &&
+                        held.st_ino == found.st_ino;
+  if (!in_place) refuse(path_, "was removed or replaced during the run", ExitCode::output_failed);
+}
 
 void RunFolder::take(Claim claim) {
   if (access(path_.c_str(), W_OK | X_OK) != 0)

@@ -28,6 +28,9 @@ class RunFolder {
   [[nodiscard]] output::CheckpointFolder checkpoints() const { return output::CheckpointFolder(path_); }
   /// The command that continues the run in this folder.
   [[nodiscard]] std::string restart_command() const { return "talus restart " + path_.string(); }
+  /// Throws core::OutputError(output_failed) where the folder is gone, or another one stands in its place: that may be
+  /// another run's.
+  void check_in_place() const;
   /// Removes all that a run leaves but its scene. Throws core::OutputError(io_setup).
   void remove_results() const;
 

@@ -39,7 +39,8 @@ void record_last_state(const core::Integrator& integrator, Recorder& recorder, s
 
 void write_failure(const Session& session, Summary& summary, const std::exception& error, spdlog::logger& log) {
   try {
-    summary.write(session.folder.summary(), "failed", exit_code_of(error), error.what());
+    session.folder.check_in_place();
+    summary.write(session.folder.summary(), "failed", exit_code_of(error), words_of(error));
   } catch (const core::OutputError& second) {
     log.error("{}", second.what());
     std::fprintf(stderr, "talus: %s\n", second.what());
@@ -66,6 +67,7 @@ int integrate(const Session& session, Summary& summary, spdlog::logger& log) {
   log.info("{}", driver.integrator().describe());
   recorder.close();
   const int code = finished ? 0 : static_cast<int>(core::ExitCode::restartable);
+  session.folder.check_in_place();
   summary.write(session.folder.summary(), finished ? "finished" : "stopped", code, reason);
   log.info("{}", finished ? "finished" : reason);
   if (finished) reason = fmt::format("finished at t = {:g} s; results in {}", t, session.folder.path().string());
@@ -88,7 +90,7 @@ int carry_out(const Session& session) {
   try {
     return integrate(session, summary, *log);
   } catch (const std::exception& error) {
-    log->error("{}", error.what());
+    log->error("{}", words_of(error));
     log->info("{}", way_on(session, summary));
     write_failure(session, summary, error, *log);
     if (summary.saved()) std::fprintf(stderr, "%s: %s\n", session.scene.name.c_str(), way_on(session, summary).c_str());

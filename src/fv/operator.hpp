@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <future>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/both.hpp"
 #include "fv/term.hpp"
 
 namespace talus::fv {
@@ -19,16 +19,20 @@ class Operator {
  public:
   using Terms = std::vector<std::unique_ptr<Term<Context>>>;
 
-  /// `context` may hold any admissible state; it only serves to trace the pattern of n unknowns.
-  Operator(Index n, Terms terms, const Context& context) : terms_(std::move(terms)) {
+  static constexpr Index least_for_threads = 2000;  ///< unknowns; below, starting a thread costs more than it saves
+
+  /// `context` may hold any admissible state; it only serves to trace the pattern of n unknowns. From `least` unknowns on,
+  /// two threads share the sums.
+  Operator(Index n, Terms terms, const Context& context, Index least = least_for_threads) : terms_(std::move(terms)) {
     std::vector<std::pair<Index, Index>> entries;
     for (const auto& term : terms_) term->append_pattern(context, entries);
     pattern_ = core::SparsePattern(n, std::move(entries));
     for (const auto& term : terms_) term->bind(context, pattern_);
-    in_threads_ = n >= least_unknowns_for_threads && disjoint(0, 2) && disjoint(1, 3);
+    in_threads_ = n >= least && disjoint(0, 2) && disjoint(1, 3);
   }
 
   [[nodiscard]] const core::SparsePattern& pattern() const { return pattern_; }
+  [[nodiscard]] bool in_threads() const { return in_threads_; }
 
   void residual(const Context& context, std::span<const double> y, std::span<const double> yp,
                 std::span<double> r) const {
@@ -48,7 +52,6 @@ class Operator {
 
  private:
   static constexpr int n_parts = 4;
-  static constexpr Index least_unknowns_for_threads = 2000;  ///< below, starting a thread costs more than it saves
 
   [[nodiscard]] bool disjoint(int first, int second) const {
     std::vector<bool> used(pattern_.n(), false);
@@ -63,14 +66,14 @@ class Operator {
   template <class Sum>
   void in_parts(const Sum& sum) const {
     for (const int first : {0, 1}) {
-      if (in_threads_) {
-        auto other = std::async(std::launch::async, [&] { sum(Part{first + 2, n_parts}); });
-        sum(Part{first, n_parts});
-        other.get();
-      } else {
-        sum(Part{first, n_parts});
-        sum(Part{first + 2, n_parts});
-      }
+      core::both(
+          in_threads_,
+          [&] {
+            sum(Part{first, n_parts});
+          },
+          [&] {
+            sum(Part{first + 2, n_parts});
+          });
     }
   }
 

@@ -27,6 +27,16 @@ std::optional<int> as_integer(const std::string& text) {
   return value;
 }
 
+/// Sets the chunks of a variable, and lets netCDF keep one of them in memory: nothing is read back, and by default it keeps
+/// 16 MiB of old records a variable.
+void set_chunks(int file, int variable, const std::vector<std::size_t>& chunk, std::size_t bytes_a_value,
+                const std::string& what) {
+  std::size_t bytes = bytes_a_value;
+  for (const std::size_t n : chunk) bytes *= n;
+  check_setup(nc_def_var_chunking(file, variable, NC_CHUNKED, chunk.data()), what);
+  check_setup(nc_set_var_chunk_cache(file, variable, bytes, 1, 0.0F), what);
+}
+
 bool is_container(const core::Variable& v) {
   return v.fixed && v.dimensions.empty() &&
          (v.attributes.contains("cf_role") || v.attributes.contains("grid_mapping_name"));
@@ -55,7 +65,7 @@ void RecordStream::define_time() {
   check_setup(nc_def_dim(file_, time_name_.c_str(), NC_UNLIMITED, &time_dimension_), "dimension '" + time_name_ + "'");
   check_setup(nc_def_var(file_, time_name_.c_str(), NC_DOUBLE, 1, &time_dimension_, &time_variable_),
               "variable '" + time_name_ + "'");
-  check_setup(nc_def_var_chunking(file_, time_variable_, NC_CHUNKED, &scalar_records_per_chunk), "chunks of time");
+  set_chunks(file_, time_variable_, {scalar_records_per_chunk}, sizeof(double), "chunks of time");
   const Attributes attributes{{"units", "s"},
                               {"axis", "T"},
                               {"standard_name", "time"},
@@ -104,10 +114,10 @@ void RecordStream::define(const core::Variable& variable) {
       nc_def_var(file_, variable.name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &slot.id),
       what);
   if (!variable.dimensions.empty()) {
-    check_setup(nc_def_var_chunking(file_, slot.id, NC_CHUNKED, slot.count.data()), what);
+    set_chunks(file_, slot.id, slot.count, single ? sizeof(float) : sizeof(double), what);
     check_setup(nc_def_var_deflate(file_, slot.id, 1, 1, 1), what);
   } else if (!variable.fixed) {
-    check_setup(nc_def_var_chunking(file_, slot.id, NC_CHUNKED, &scalar_records_per_chunk), what);
+    set_chunks(file_, slot.id, {scalar_records_per_chunk}, single ? sizeof(float) : sizeof(double), what);
   }
   if (!slot.container) {
     const double none = std::numeric_limits<double>::quiet_NaN();

@@ -118,8 +118,10 @@ void RunFile::take_place_of(const std::filesystem::path& earlier, const std::vec
   NcFile& file = state_->file;
   const std::filesystem::path aside = file.path();
   try {
+    if (n_records.size() != state_->streams.size())
+      throw core::OutputError(ExitCode::bad_restart, "the checkpoint speaks of another number of streams");
     NcFile old(earlier, Access::read);
-    for (std::size_t i = 0; i < state_->streams.size(); ++i) state_->streams[i].take_over(old.id(), n_records.at(i));
+    for (std::size_t i = 0; i < state_->streams.size(); ++i) state_->streams[i].take_over(old.id(), n_records[i]);
     continue_history(old.id(), file.id());
     bring_to_disk();
     std::filesystem::rename(aside, earlier);

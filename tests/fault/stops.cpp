@@ -159,9 +159,9 @@ TEST(Stops, InexactCheckpointsDoNotTouchTheRunThatWritesThem) {
 TEST(Stops, TheWallClockMayJump) {
   const TemporaryFolder folder;
   const auto out = folder / "out";
-  setenv("LD_PRELOAD", TALUS_JUMPING_CLOCK, 1);
-  const Outcome outcome = run_talus(small_heap(out, {"checkpoint.wall_limit=1000", "checkpoint.wall_interval=1000"}));
-  unsetenv("LD_PRELOAD");
+  const Outcome outcome =
+      outcome_of(TALUS_PROGRAM, small_heap(out, {"checkpoint.wall_limit=1000", "checkpoint.wall_interval=1000"}),
+                 {.preload = TALUS_JUMPING_CLOCK});
   EXPECT_EQ(outcome.code, 0) << outcome.output;
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint_000002.nc")) << "a jump of the clock is no wall time";
   EXPECT_LT(summary_in(out)["wall_seconds"], 1000.0);

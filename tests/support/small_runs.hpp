@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,20 +23,27 @@ inline Words with_settings(Words words, const Words& settings) {
   return words;
 }
 
+/// A run of `scene` into `out` with `settings`, where `more` has no other value for the same key, and `more`.
+inline Words run_with(const std::string& scene, const std::filesystem::path& out, Words settings, const Words& more) {
+  const auto key = [](const std::string& setting) { return setting.substr(0, setting.find('=')); };
+  std::erase_if(settings, [&](const std::string& setting) {
+    return std::ranges::any_of(more, [&](const std::string& other) { return key(other) == key(setting); });
+  });
+  return with_settings(with_settings({"run", scene, "--out", out.string()}, settings), more);
+}
+
 /// A heap of 30 x 8 cells, poured for 5 s and draining for 5 s: about half a second of computing.
 inline Words small_heap(const std::filesystem::path& out, const Words& more = {}) {
-  return with_settings(with_settings({"run", heap_scene, "--out", out.string()},
-                                     {"grid.columns=30", "grid.layers=8", "output.times=[3.3]", "time.end=10",
-                                      "inflow.stop=5", "output.interval=1", "output.series_interval=0.1"}),
-                       more);
+  return run_with(heap_scene, out,
+                  {"grid.columns=30", "grid.layers=8", "output.times=[3.3]", "time.end=10", "inflow.stop=5",
+                   "output.interval=1", "output.series_interval=0.1"},
+                  more);
 }
 
 /// The periodic chute in steps of 1e-5 s for 100 s: minutes, so that there is time to disturb it.
 inline Words long_chute(const std::filesystem::path& out, const Words& more = {}) {
-  return with_settings(
-      with_settings({"run", chute_scene, "--out", out.string()},
-                    {"time.end=100", "integrator.max_step=1e-5", "output.series_interval=1e-4", "output.times=[]"}),
-      more);
+  return run_with(chute_scene, out,
+                  {"time.end=100", "integrator.max_step=1e-5", "output.series_interval=1e-4", "output.times=[]"}, more);
 }
 
 inline nlohmann::json summary_in(const std::filesystem::path& folder) {

@@ -196,6 +196,10 @@ TEST(ConfigRead, HoldsEachTableOfARepeatedSectionToItsSchema) {
   EXPECT_EQ(explain(repeats, "axis").substr(0, 8), "[[axis]]");
 }
 
+TEST(ConfigRead, ShowsControlCharactersOfItsInputAsText) {
+  EXPECT_EQ(refusal("\"\\u0000b\\u001Bx\" = 1\n" + good), "s.toml:1:1: \\x00b\\x1bx: key outside a section");
+}
+
 TEST(ConfigRead, NamesAFileThatCannotBeRead) {
   try {
     (void)read(schema, "/no/such/scene.toml");

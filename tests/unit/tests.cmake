@@ -1,4 +1,5 @@
 talus_test(unit dual ROOMS core)
+talus_test(unit fv_operator ROOMS core fv)
 talus_test(unit polynomial ROOMS core)
 talus_test(unit config_read ROOMS config)
 talus_test(unit config_spelling ROOMS config)

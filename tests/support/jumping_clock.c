@@ -1,4 +1,4 @@
-// Preloaded into the program by tests/fault/stops.cpp: a wall clock that stands in the year 2100 and jumps by a day, forth and back, each
+// Preloaded into the program by tests: a wall clock that stands in the year 2100 and jumps by a day, forth and back, each
 // time it is read. The steady clock is left alone.
 #define _GNU_SOURCE
 #include <sys/time.h>
