@@ -4,3 +4,4 @@ talus_test(extremes steady_refusals ROOMS steady LIBRARIES nlohmann_json::nlohma
 talus_test(extremes rheology_inertial_number ROOMS rheology)
 talus_test(extremes rheology_parameters ROOMS rheology)
 talus_test(extremes rheology_neutral_points ROOMS rheology)
+talus_test(extremes column_from_rest ROOMS column steady ida)
