@@ -81,7 +81,8 @@ Outcome make_consistent(Equations& equations, const Options& options, double t, 
                         std::span<double> yp, std::vector<double>& last_correction) {
   using Status = DampedNewton::Status;
   NewtonOptions how = options.newton;
-  how.max_refreshes = 20;
+  how.max_refreshes = 60;  // far from a solution, and no smaller step to fall back on
+  how.max_iterations = 400;
   const auto solve = [&](EulerStep& step, std::size_t n) {
     DampedNewton newton(how);
     std::vector<double> x(n, 0.0);

@@ -18,19 +18,20 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
   for (auto* v : {&dx_, &g_, &step_, &trial_, &trial_dx_, &trial_g_}) v->resize(x.size());
   iterations_ = refreshes_ = 0;
   fresh_ = false;
+  count_doubt();
   if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
+  g_start_ = g_;
   Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem);
   if (status != Status::converged) return status;
 
   double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
   while (true) {
-    if (remaining(expected) * norm_ <= tolerance) {
-      ++iterations_;
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += step_[i];
-      return Status::converged;
-    }
-    if (iterations_ >= options_.max_iterations) return Status::diverged;
+    const bool close = remaining(expected) * norm_ <= tolerance;
+    if (close && settled(problem, expected)) return finish(x);
+    if (iterations_ >= options_.max_iterations) return close ? finish(x) : Status::diverged;
     status = advance(problem, x, expected);
+    // A residual that cannot be brought down further while even new factors want no more than the tolerance is rounding.
+    if (status == Status::diverged && close && norm_ <= tolerance) return finish(x);
     if (status != Status::converged) return status;
     if (remaining(expected) * norm_ <= tolerance) continue;
     if (expected > options_.refresh_above && refreshes_ < options_.max_refreshes) {
@@ -39,6 +40,36 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
       // New factors contract as the old ones did, or better: `expected` still bounds what follows.
     }
   }
+}
+
+void DampedNewton::forget() {
+  contraction_ = unknown;
+  doubt_ = doubt_again_ = options_.doubt;
+  shortened_ = false;
+}
+
+/// At the start of a solve.
+void DampedNewton::count_doubt() {
+  constexpr int most = 1 << 20;
+  if (shortened_) {
+    doubt_again_ = doubt_ > 0 ? std::min(2 * doubt_again_, most) : options_.doubt;
+    doubt_ = doubt_again_;
+  } else if (doubt_ > 0) {
+    --doubt_;
+  }
+  shortened_ = false;
+}
+
+/// Whether the residual, after one more correction, is as small as doubt demands.
+bool DampedNewton::settled(const NewtonProblem& problem, double contraction) const {
+  return doubt_ == 0 || contraction * problem.share_left(g_, g_start_) <= options_.residual_share;
+}
+
+/// The last correction is made without another look.
+DampedNewton::Status DampedNewton::finish(std::span<double> x) {
+  ++iterations_;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += step_[i];
+  return Status::converged;
 }
 
 /// New factors at x, where the residual is g_, and the correction they give.
@@ -111,6 +142,7 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
       if (status != Status::converged) return status;
     } else {
       lambda *= 0.5;
+      shortened_ = true;
       ++halvings;
     }
   }

@@ -21,6 +21,11 @@ class NewtonProblem {
   virtual Outcome solve(std::span<double> b) = 0;
   /// The weighted inner product of which the norm is the root.
   [[nodiscard]] virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
+  /// How much of the residual `g_start` is left in `g`: the largest share over groups of rows in one unit, a group at its
+  /// rounding level counting as nothing. 0, as by default: corrections alone decide.
+  [[nodiscard]] virtual double share_left(std::span<const double> /*g*/, std::span<const double> /*g_start*/) const {
+    return 0.0;
+  }
   /// Contraction to expect from what changed, apart from x, since the factors were made; 1 or more: useless or none at
   /// hand.
   [[nodiscard]] virtual double drift() const = 0;
@@ -34,6 +39,12 @@ class NewtonProblem {
 /// trial x + lambda s is accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is
 /// renewed, then lambda is halved. A contraction above `refresh_above` renews J at the new x. The iteration ends when
 /// contraction/(1 - contraction) times the last correction is below the tolerance.
+///
+/// In doubt, the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
+/// stiff here and soft beside it (a yielding material) needs that: with factors of the stiff state a large residual makes a
+/// correction far below the tolerance, and what it leaves behind starts the next solve outside the stiff state. In doubt
+/// are the first `doubt` solves, and as many after a step had to be shortened; twice as many each time that this happens in
+/// doubt.
 /// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3; H. F. Walker and P. Ni, SIAM J.
 /// Numer. Anal. 49, 2011.)
 class DampedNewton {
@@ -49,8 +60,8 @@ class DampedNewton {
   /// The last correction of the last solve(), shape n.
   [[nodiscard]] std::span<const double> correction() const { return dx_; }
   [[nodiscard]] double correction_norm() const { return norm_; }
-  /// Forgets what was learned of the contraction, for example after the factors were used elsewhere.
-  void forget() { contraction_ = unknown; }
+  /// Forgets what was learned, for example after the factors were used elsewhere.
+  void forget();
 
  private:
   /// Assumed before a contraction is measured: the error is 20 times the correction.
@@ -58,6 +69,9 @@ class DampedNewton {
   /// A contraction measured in an earlier solve is not trusted below this.
   static constexpr double least = 0.1;
 
+  [[nodiscard]] bool settled(const NewtonProblem& problem, double contraction) const;
+  void count_doubt();
+  Status finish(std::span<double> x);
   Status renew(NewtonProblem& problem, std::span<const double> x);
   Status correct(NewtonProblem& problem);
   Status correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx, double& norm);
@@ -68,10 +82,14 @@ class DampedNewton {
   double contraction_ = unknown;  ///< of the factors at hand, without acceleration
   double norm_ = 0.0;             ///< of dx_
   int iterations_ = 0, refreshes_ = 0;
-  bool fresh_ = false;          ///< the factors were made at the present x
-  bool accelerated_ = false;    ///< step_ is not dx_
-  std::vector<double> dx_, g_;  // correction and residual at the present x
-  std::vector<double> step_;    // dx_, accelerated
+  bool fresh_ = false;        ///< the factors were made at the present x
+  bool accelerated_ = false;  ///< step_ is not dx_
+  bool shortened_ = false;    ///< a step was, in the last solve or this one
+  int doubt_ = options_.doubt,
+      doubt_again_ = options_.doubt;  ///< solves in doubt that are left, and that a doubt brings
+  std::vector<double> g_start_;       // residual where the solve began
+  std::vector<double> dx_, g_;        // correction and residual at the present x
+  std::vector<double> step_;          // dx_, accelerated
   std::vector<double> trial_, trial_dx_, trial_g_;
 };
 

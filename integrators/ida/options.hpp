@@ -9,11 +9,13 @@ enum class Newton { damped, stock };
 
 struct NewtonOptions {
   Newton kind = Newton::damped;
-  double tolerance = 0.03;     ///< estimated remaining error, in the weighted norm, at which the iteration stops
-  double refresh_above = 0.7;  ///< contraction above which the Jacobian is renewed
-  int max_refreshes = 10;      ///< of the Jacobian in one solve
-  int max_halvings = 4;        ///< of the step length in one iteration
-  int max_iterations = 40;     ///< in one solve
+  double tolerance = 0.03;       ///< estimated remaining error, in the weighted norm, at which the iteration stops
+  double refresh_above = 0.7;    ///< contraction above which the Jacobian is renewed
+  int max_refreshes = 20;        ///< of the Jacobian in one solve
+  int max_halvings = 12;         ///< of the step length in one iteration
+  int max_iterations = 100;      ///< in one solve
+  double residual_share = 0.01;  ///< of the residual at the start of a solve, that may be left in doubt
+  int doubt = 30;                ///< solves in doubt after a start and after a step that had to be shortened
 };
 
 /// How IDA is run. Weighted norm: root mean square of v_i / (rtol |y_i| + absolute tolerance of the field).

@@ -52,7 +52,8 @@ StepNewton::StepNewton(Equations& equations, const NewtonOptions& options, void*
       x_(equations.size(), context),
       g_(equations.size(), context),
       y_(equations.size()),
-      yp_(equations.size()) {}
+      yp_(equations.size()),
+      rounding_(equations.system().layout().fields.size(), 0.0) {}
 
 StepNewton::~StepNewton() { SUNNonlinSolFreeEmpty(handle_); }
 
@@ -86,7 +87,22 @@ Outcome StepNewton::refresh(std::span<const double> x) {
     y_[i] = y[i] + x[i];
     yp_[i] = yp[i] + c_j_ * x[i];
   }
-  return equations_.refresh(t_, y_, yp_, c_j_);
+  const auto outcome = equations_.refresh(t_, y_, yp_, c_j_);
+  if (outcome == Outcome::ok) estimate_rounding();
+  return outcome;
+}
+
+/// Rounding of row i: a few units in the last place of sum_j |J_ij y_j|.
+void StepNewton::estimate_rounding() {
+  constexpr double few_units = 1e-15;
+  const auto& layout = equations_.system().layout();
+  const auto& pattern = equations_.system().pattern();
+  std::vector<double> row(y_.size(), 0.0);
+  for (std::size_t j = 0; j < y_.size(); ++j)
+    for (auto k = pattern.column_starts()[j]; k < pattern.column_starts()[j + 1]; ++k)
+      row[pattern.rows()[k]] += few_units * std::abs(equations_.jacobian()[k] * y_[j]);
+  rounding_.assign(layout.fields.size(), 0.0);
+  for (std::size_t i = 0; i < row.size(); ++i) rounding_[layout.field_of[i]] += row[i] * row[i];
 }
 
 Outcome StepNewton::solve(std::span<double> b) {
@@ -103,6 +119,19 @@ double StepNewton::product(std::span<const double> a, std::span<const double> b)
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * w[i] * b[i] * w[i];
   return sum / static_cast<double>(a.size());
+}
+
+double StepNewton::share_left(std::span<const double> g, std::span<const double> g_start) const {
+  const auto& layout = equations_.system().layout();
+  std::vector<double> now(layout.fields.size(), 0.0), start(now);
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    now[layout.field_of[i]] += g[i] * g[i];
+    start[layout.field_of[i]] += g_start[i] * g_start[i];
+  }
+  double most = 0.0;
+  for (std::size_t f = 0; f < now.size(); ++f)
+    if (now[f] > rounding_[f]) most = std::max(most, now[f] / std::max(start[f], rounding_[f]));
+  return std::sqrt(most);
 }
 
 double StepNewton::drift() const {

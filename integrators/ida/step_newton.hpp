@@ -35,7 +35,10 @@ class StepNewton final : private NewtonProblem {
   Outcome solve(std::span<double> b) override;
   [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const override;
   [[nodiscard]] double drift() const override;
+  /// Groups are the fields.
+  [[nodiscard]] double share_left(std::span<const double> g, std::span<const double> g_start) const override;
 
+  void estimate_rounding();
   int solve_step(N_Vector correction, N_Vector weights, double tolerance);
   static SUNNonlinearSolver make_handle(StepNewton& self, SUNContext context);
 
@@ -50,6 +53,7 @@ class StepNewton final : private NewtonProblem {
   double t_ = 0.0, c_j_ = 0.0;
   N_Vector predicted_y_ = nullptr, predicted_yp_ = nullptr;
   std::vector<double> y_, yp_;
+  std::vector<double> rounding_;  // squares of residuals that are rounding, summed over each field's rows
   long failures_ = 0;
 };
 

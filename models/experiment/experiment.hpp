@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "experiment/piecewise_linear.hpp"
 
@@ -58,14 +59,17 @@ inline Box box_at(Box box, const Motion& motion, double t) {
   return box;
 }
 
-/// Grains poured from the inlet: a column source of mass, smooth in time.
+/// Grains poured from the inlet: a column source of mass, smooth in time. The inlet is open from `start` to `stop`; from each of
+/// `times` on it passes that one of `shares` of the rate, before them all of it. A ramp follows each change.
 struct Inflow {
   double rate = 0.0;      ///< Q [kg/s]
   double position = 0.0;  ///< centre of the inlet along x at z = box height [m]
   double width = 0.0;     ///< standard deviation sigma of the jet's footprint along x [m]
   double start = 0.0;     ///< [s]
   double stop = std::numeric_limits<double>::infinity();  ///< [s]
-  double ramp = 0.2;                                      ///< duration of the C2 ramp that follows start and stop [s]
+  double ramp = 0.2;                                      ///< duration of the C2 ramp that follows each change [s]
+  std::vector<double> times = {};                         ///< at which the share changes, ascending [s]
+  std::vector<double> shares = {};                        ///< of `rate`, as many as times [1]
   bool along_gravity = true;                              ///< the jet falls along gravity from the inlet; else along -z
   bool momentum = false;  ///< the jet brings the momentum of its free fall; else the speed of the grains it meets
 };

@@ -8,7 +8,7 @@
 
 namespace talus::layer {
 
-/// Share of the full inflow at time t [s]: 0 before `start`, a C2 quintic ramp up, 1, a ramp down that begins at `stop`.
+/// Share of the full inflow at time t [s]: 0 before `start`; each change of the inlet is followed by a C2 quintic ramp.
 inline double jet_schedule(const Inflow& inflow, double t) {
   const auto ramp = [&](double since) {
     const double s = inflow.ramp > 0.0 ? since / inflow.ramp : (since > 0.0 ? 1.0 : 0.0);
@@ -16,7 +16,12 @@ inline double jet_schedule(const Inflow& inflow, double t) {
     if (s >= 1.0) return 1.0;
     return s * s * s * (10.0 + s * (6.0 * s - 15.0));
   };
-  return ramp(t - inflow.start) - ramp(t - inflow.stop);
+  double share = 1.0, last = 1.0;
+  for (std::size_t i = 0; i < inflow.times.size(); ++i) {
+    share += (inflow.shares[i] - last) * ramp(t - inflow.times[i]);
+    last = inflow.shares[i];
+  }
+  return share * (ramp(t - inflow.start) - ramp(t - inflow.stop));
 }
 
 /// Share of the jet that lands left of the point x [m] on a surface at height H [m]: a normal distribution of standard deviation

@@ -182,10 +182,11 @@ std::string Layer::describe(core::Index row) const {
 }
 
 std::vector<double> Layer::breakpoints() const {
-  std::vector<double> times;
-  if (parameters_.inflow.rate > 0.0)
-    for (const double t : {parameters_.inflow.start, parameters_.inflow.stop})
-      if (std::isfinite(t)) times.push_back(t);
+  const auto& inflow = parameters_.inflow;
+  if (!(inflow.rate > 0.0)) return {};
+  std::vector<double> times = inflow.times;
+  for (const double t : {inflow.start, inflow.stop})
+    if (std::isfinite(t)) times.push_back(t);
   return times;
 }
 

@@ -18,7 +18,6 @@ BASE = {"model.name": "column", "grid.spacing": "uniform", "grid.layers": 400, "
         "wall.u_c": 1e-3, "integrator.rtol": 1e-8, "integrator.atol_velocity": 1e-10, "integrator.linear_solver": "banded",
         "time.end": 20.0, "output.series_interval": 20.0}
 LOOSE = {"integrator.rtol": 1e-4, "integrator.atol_velocity": 1e-6}
-# Known not to start from rest under eta_max = 1e8 Pa s and the tolerances of BASE: u_c = 1e-6 m/s, p_0 = 1 Pa and more.
 WALL = {"integrator.rtol": 1e-6, "integrator.atol_velocity": 1e-8}
 PRESSURE = {"rheology.eta_max": 1e4, **LOOSE}
 CELLS = [25, 50, 100, 200, 400, 800]

@@ -57,6 +57,8 @@ experiment::Inflow inflow_of(const Values& v) {
   inflow.start = v.number("inflow.start");
   inflow.stop = number_or(v, "inflow.stop", inflow.stop);
   inflow.ramp = v.number("inflow.ramp");
+  if (v.has("inflow.times")) inflow.times = v.numbers("inflow.times");
+  if (v.has("inflow.shares")) inflow.shares = v.numbers("inflow.shares");
   inflow.along_gravity = v.boolean("inflow.along_gravity");
   inflow.momentum = v.boolean("inflow.momentum");
   return inflow;

@@ -59,6 +59,7 @@ class CrossChecks {
                                     " and its footprint, 3 inflow.width = " + in_metres(reach) +
                                     " to either side, leaves the box of length " + in_metres(L));
     }
+    as_many("inflow.shares", "inflow.times");
     if (scene.inflow.stop <= scene.inflow.start) refuse("inflow.stop", "expected a time after inflow.start [s]");
   }
 

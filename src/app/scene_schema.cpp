@@ -70,7 +70,14 @@ void experiment(Schema& s) {
             .required_if("inflow.rate is above 0", pours));
   s.add(number("start", "s", "time at which the inlet opens").at_least(0.0).fallback(0.0));
   s.add(number("stop", "s", "time at which the inlet begins to close").above(0.0).optional("it stays open"));
-  s.add(number("ramp", "s", "duration of the smooth ramp that follows start and stop").above(0.0).fallback(0.2));
+  s.add(number("ramp", "s", "duration of the smooth ramp that follows each change").above(0.0).fallback(0.2));
+  const auto changes = [](const char* other) { return [other](const Values& v) { return v.has(other); }; };
+  s.add(ascending_numbers("times", "s", "at which the open inlet changes its flow")
+            .at_least(0.0)
+            .required_if("inflow.shares is given", changes("inflow.shares")));
+  s.add(numbers("shares", "1", "of inflow.rate that pour from each of inflow.times on; before, all of it")
+            .at_least(0.0)
+            .required_if("inflow.times is given", changes("inflow.times")));
   s.add(boolean("along_gravity", "the jet falls along gravity, not normal to the base").fallback(true));
   s.add(boolean("momentum", "the jet brings the momentum of its free fall, not that of the grains it meets")
             .fallback(false));

@@ -4,3 +4,7 @@ talus_test(extremes steady_refusals ROOMS steady LIBRARIES nlohmann_json::nlohma
 talus_test(extremes rheology_inertial_number ROOMS rheology)
 talus_test(extremes rheology_parameters ROOMS rheology)
 talus_test(extremes rheology_neutral_points ROOMS rheology)
+talus_test(extremes column_from_rest ROOMS column steady ida)
+talus_test(extremes floating_point ROOMS app)
+talus_test(extremes layer_inflow ROOMS app)
+talus_test(extremes every_scale ROOMS app)

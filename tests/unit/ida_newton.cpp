@@ -47,6 +47,9 @@ struct Scalars final : ida::NewtonProblem {
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum / static_cast<double>(a.size());
   }
+  [[nodiscard]] double share_left(std::span<const double> r, std::span<const double> r_start) const override {
+    return std::sqrt(product(r, r) / product(r_start, r_start));
+  }
   [[nodiscard]] double drift() const override { return expected_drift; }
 };
 
@@ -105,6 +108,57 @@ TEST(DampedNewton, TheSecantMakesUpForAWrongSlope) {
   EXPECT_NEAR(x[1], 1.0, 1e-12);
   EXPECT_LE(newton.iterations(), 3);
   EXPECT_EQ(problem.n_refreshes, 0);
+}
+
+/// Stiff within 0.01 of the root at 0.0055, soft outside; factors of the stiff state at hand, the start in the soft one.
+Scalars yielding() {
+  Scalars problem([](double x) { return std::tanh(100.0 * x) + 0.05 * x - 0.5; },
+                  [](double x) { return 100.0 / std::pow(std::cosh(100.0 * x), 2) + 0.05; });
+  problem.factors = {100.0};
+  problem.expected_drift = 0.0;
+  return problem;
+}
+
+TEST(DampedNewton, InDoubtTakesNoSmallCorrectionOfStiffFactorsForAnAnswer) {
+  constexpr double tolerance = 0.2;
+  auto problem = yielding();
+  DampedNewton newton({});
+  std::vector<double> x = {1.0};
+  EXPECT_EQ(newton.solve(problem, x, tolerance), Status::converged);
+  EXPECT_NEAR(x[0], 0.0055, 1e-3);
+
+  ida::NewtonOptions trusting;
+  trusting.doubt = 0;
+  auto same = yielding();
+  x = {1.0};
+  EXPECT_EQ(DampedNewton(trusting).solve(same, x, tolerance), Status::converged);
+  EXPECT_NEAR(x[0], 1.0, 0.01);
+}
+
+TEST(DampedNewton, DoubtEndsAfterSolvesWithoutTroubleAndComesBackWithIt) {
+  ida::NewtonOptions options;
+  options.doubt = 3;
+  DampedNewton newton(options);
+  const auto settles = [&] {  // false: the far-off start is taken for the answer
+    auto problem = yielding();
+    std::vector<double> x = {1.0};
+    EXPECT_EQ(newton.solve(problem, x, 0.2), Status::converged);
+    return x[0] < 0.5;
+  };
+  Scalars easy([](double x) { return x - 1.0; }, [](double) { return 1.0; });
+  const auto calm_solves = [&](int n) {
+    for (int i = 0; i < n; ++i) {
+      std::vector<double> x = {3.0};
+      EXPECT_EQ(newton.solve(easy, x, 1e-9), Status::converged);
+    }
+  };
+  calm_solves(3);
+  EXPECT_FALSE(settles());
+  auto hard = arctan();
+  std::vector<double> x = {15.0};  // shortens its steps
+  EXPECT_EQ(newton.solve(hard, x, 1e-9), Status::converged);
+  calm_solves(1);
+  EXPECT_TRUE(settles());
 }
 
 TEST(DampedNewton, ShortensAStepThatIsRefused) {

@@ -100,7 +100,7 @@ std::vector<double> fluxes(const nlohmann::json& reference, int layers, double l
   std::vector<double> y(system.layout().size()), yp(y), result;
   system.initial_state(0.0, y, yp);
   ida::Options options;
-  options.rtol = 1e-6;
+  options.rtol = 1e-7;
   ida::Ida integrator(system, options);
   integrator.start(0.0, y, yp);
   core::Observer nobody;
