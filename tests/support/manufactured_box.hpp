@@ -36,18 +36,22 @@ inline Flow flow_of(const json& c) {
   };
 }
 
+inline rheology::Grains grains_of(const json& c) {
+  return rheology::grains(c.at("rhos"), c.at("rho").get<double>() / c.at("rhos").get<double>(), c.at("d"));
+}
+inline rheology::PartiallyRegularised law_of(const json& c) {
+  return rheology::partially_regularised(rheology::classical(c.at("mus"), c.at("mud"), c.at("I0")), c.at("muinf"), 1.9,
+                                         0.05);  // all I are above
+}
+
 inline Medium medium_of(const std::string& name, const json& c) {
   Medium medium;
   medium.rho = c.at("rho");
   medium.weight = {0.0, -medium.rho * c.at("gz").get<double>()};
   medium.wall_friction = 2.0 * c.at("muw").get<double>() / c.at("W").get<double>();
-  const double eta = c.at("eta"), d = c.at("d"), rho_star = c.at("rhos"), mu_s = c.at("mus"), mu_d = c.at("mud"),
-               I_0 = c.at("I0"), mu_inf = c.at("muinf");
-  medium.viscosity = [=](const Taylor2& four_D_squared, const Taylor2& p) {
-    if (name == "newton") return Taylor2(eta);
-    const auto two_D = sqrt(four_D_squared), I = d * two_D / sqrt(p / rho_star);
-    return (mu_s * I_0 + mu_d * I + mu_inf * I * I) / (I_0 + I) * p / two_D;
-  };
+  if (name == "newton")
+    medium.viscosity = [eta = c.at("eta").get<double>()](const Taylor2&, const Taylor2&) { return Taylor2(eta); };
+  else medium.viscosity = grain_viscosity(law_of(c), grains_of(c));
   return medium;
 }
 
@@ -55,13 +59,11 @@ inline layer::Parameters parameters_of(const std::string& name, const json& c, i
   auto par = fluid_box(c.at("eta"), n, n);
   par.box.gravity = c.at("gz");
   par.box.gap = c.at("W");
-  par.grains = rheology::grains(c.at("rhos"), c.at("rho").get<double>() / c.at("rhos").get<double>(), c.at("d"));
+  par.grains = grains_of(c);
   par.wall = {.mu_w = c.at("muw"), .u_c = 1e-2};  // all speeds are far above
   if (name == "newton") return par;
   par.fluid.reset();
-  par.law =
-      rheology::partially_regularised(rheology::classical(c.at("mus"), c.at("mud"), c.at("I0")), c.at("muinf"), 1.9,
-                                      0.05);  // all I are above
+  par.law = law_of(c);
   return par;
 }
 

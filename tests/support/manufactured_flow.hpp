@@ -35,6 +35,14 @@ struct Medium {
   double u_c = 0.0;            ///< times tanh(|u|/u_c) unless that is 0 [m/s]
 };
 
+/// Viscosity of grains under the partially regularised law, at I above I_N.
+inline auto grain_viscosity(const rheology::PartiallyRegularised& law, const rheology::Grains& grains) {
+  return [=](const Taylor2& four_D_squared, const Taylor2& p) {
+    const auto two_D = sqrt(four_D_squared), I = grains.d * two_D / sqrt(p / grains.rho_star);
+    return (law.mu_s * law.I_0 + law.mu_d * I + law.mu_inf * I * I) / (law.I_0 + I) * p / two_D;
+  };
+}
+
 inline Balance balance_of(const FlowAt& f, const Medium& medium) {
   using enum Taylor2::By;
   const Taylor2 u_x = derivative(f.u, x), u_z = derivative(f.u, z), w_x = derivative(f.w, x);

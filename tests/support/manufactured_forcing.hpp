@@ -11,7 +11,7 @@ namespace talus::tests {
 
 /// Drives the layer model with the sources and boundary data of a manufactured flow, on the grid that the flow's own surface
 /// makes.
-class ManufacturedForcing final : public layer::Forcing {
+class ManufacturedForcing : public layer::Forcing {
  public:
   using Surface = std::function<Taylor2(const Taylor2& x, const Taylor2& t)>;
 

@@ -66,6 +66,10 @@ inline Taylor2 cos(const Taylor2& a) {
   return a.chain(c, -std::sin(a.value), -c);
 }
 
+/// a^e for a > 0, or a = 0 where e > 1: below e = 2 its second derivatives are then no numbers.
+inline Taylor2 pow(const Taylor2& a, double e) {
+  return a.chain(std::pow(a.value, e), e * std::pow(a.value, e - 1.0), e * (e - 1.0) * std::pow(a.value, e - 2.0));
+}
 inline Taylor2 sqrt(const Taylor2& a) {
   const double r = std::sqrt(a.value);
   return a.chain(r, 0.5 / r, -0.25 / (r * a.value));
