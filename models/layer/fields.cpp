@@ -255,10 +255,7 @@ std::vector<Entry> numbers(double first_mass) {
                        v.read(at.mass_right());
               }),
           one("inflow_rate", "kg s-1", "mass poured in per second",
-              [](const View& v) {
-                const auto& inflow = v.layer.parameters().inflow;
-                return inflow.rate > 0.0 ? inflow.rate * jet_schedule(inflow, v.snapshot.t) : 0.0;
-              }),
+              [](const View& v) { return experiment::inflow_rate(v.layer.parameters().inflow, v.snapshot.t); }),
           one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second",
               [](const View& v) { return leaving(v, -1.0); }),
           one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second",

@@ -3,26 +3,11 @@
 #include <cmath>
 
 #include "core/scalar.hpp"
+#include "experiment/inflow.hpp"
 #include "grid/columns.hpp"
 #include "layer/parameters.hpp"
 
 namespace talus::layer {
-
-/// Share of the full inflow at time t [s]: 0 before `start`; each change of the inlet is followed by a C2 quintic ramp.
-inline double jet_schedule(const Inflow& inflow, double t) {
-  const auto ramp = [&](double since) {
-    const double s = inflow.ramp > 0.0 ? since / inflow.ramp : (since > 0.0 ? 1.0 : 0.0);
-    if (s <= 0.0) return 0.0;
-    if (s >= 1.0) return 1.0;
-    return s * s * s * (10.0 + s * (6.0 * s - 15.0));
-  };
-  double share = 1.0, last = 1.0;
-  for (std::size_t i = 0; i < inflow.times.size(); ++i) {
-    share += (inflow.shares[i] - last) * ramp(t - inflow.times[i]);
-    last = inflow.shares[i];
-  }
-  return share * (ramp(t - inflow.start) - ramp(t - inflow.stop));
-}
 
 /// Share of the jet that lands left of the point x [m] on a surface at height H [m]: a normal distribution of standard deviation
 /// sigma about the straight line on which grains fall along gravity from the inlet at (position, box.height). The paper's jet,
@@ -41,7 +26,7 @@ S jet_share_left_of(const Parameters& par, double x, const S& H) {
 /// columns the rates add up to the inflow exactly: what falls beyond an end is laid on the column at that end.
 template <class S>
 S jet_rate(const Parameters& par, const grid::Columns& columns, int i, const S& H_left, const S& H_right, double t) {
-  const double flux = par.inflow.rate * jet_schedule(par.inflow, t) / (par.grains.rho() * par.box.gap);
+  const double flux = experiment::inflow_rate(par.inflow, t) / (par.grains.rho() * par.box.gap);
   const S left = i == 0 ? S(0.0) : jet_share_left_of(par, columns.x_face(i), H_left);
   const S right = i == columns.n_columns - 1 ? S(1.0) : jet_share_left_of(par, columns.x_face(i + 1), H_right);
   return flux / columns.dx() * (right - left);

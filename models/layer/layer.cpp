@@ -181,13 +181,6 @@ std::string Layer::describe(core::Index row) const {
               field == field_omega ? k + 1 : k, columns_.n_layers, x);
 }
 
-std::vector<double> Layer::breakpoints() const {
-  const auto& inflow = parameters_.inflow;
-  if (!(inflow.rate > 0.0)) return {};
-  std::vector<double> times = inflow.times;
-  for (const double t : {inflow.start, inflow.stop})
-    if (std::isfinite(t)) times.push_back(t);
-  return times;
-}
+std::vector<double> Layer::breakpoints() const { return experiment::breakpoints(parameters_.inflow); }
 
 }  // namespace talus::layer

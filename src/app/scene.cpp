@@ -178,6 +178,8 @@ Scene scene_of(const Values& v) {
   scene.model = v.text("model.name");
   scene.numerics = numerics_of(v);
   scene.initial = initial_of(v, scene);
+  scene.left_slope =
+      v.has("model.left_slope") ? v.number("model.left_slope") * degree : std::atan(v.number("rheology.mu_s"));
   scene.cells = cells_of(v);
   scene.integration = integration_of(v);
   scene.end = v.number("time.end");

@@ -81,6 +81,7 @@ struct Scene {
   std::string model;
   layer::Numerics numerics;
   Initial initial;
+  double left_slope;  ///< of the triangle's left face against the horizontal [rad]
   Cells cells;
   Integration integration;
   double end;  ///< [s]

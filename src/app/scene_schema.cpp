@@ -136,6 +136,10 @@ void numerics(Schema& s) {
             .fallback(0.04));
   s.add(number("jump_to", "1", "and from it alone beyond this share; above jump_from").above(0.0).fallback(0.12));
   s.add(number("film_speed", "m/s", "speed at which the giving column changes sides").above(0.0).fallback(1e-5));
+  s.add(number("left_slope", "degree", "slope of the triangle's left face against the horizontal")
+            .above(0.0)
+            .below(90.0)
+            .optional("the angle of repose, atan(rheology.mu_s)"));
 
   s.section("initial", "how the grains move at the start");
   const auto starts = [](const char* state) {

@@ -36,7 +36,10 @@ const std::vector<std::vector<std::string>> variants{{"rheology.cap=smooth"},
                                                      {"inflow.along_gravity=false"}};
 
 TEST_P(EveryModel, JacobianEqualsCentralDifferencesColumnByColumn) {
+  int n_tried = 0;
   for (const auto& settings : variants) {
+    if (!GetParam().represents(settings)) continue;
+    ++n_tried;
     const auto simulation = build(GetParam().read(9, 5, settings));
     const auto& system = *simulation.system;
     std::vector<double> y, yp;
@@ -47,10 +50,12 @@ TEST_P(EveryModel, JacobianEqualsCentralDifferencesColumnByColumn) {
           << settings[0] << ", seed " << seed << ": " << system.describe(worst);
     }
   }
+  EXPECT_GE(n_tried, 6) << "a model that refuses most variants has hardly been tested";
 }
 
 /// What a sweep of states must have met, or the test above it says little.
 struct Met {
+  std::set<std::string> names;
   double least_I = std::numeric_limits<double>::infinity(), most_I = 0.0;
   bool capped = false, uncapped = false, forward = false, backward = false;
 
@@ -61,6 +66,7 @@ struct Met {
     for (std::size_t i = 0; i < variables.size(); ++i)
       for (const double value : values[i]) {
         const auto& name = variables[i].name;
+        names.insert(name);
         if (name == "inertial_number") least_I = std::min(least_I, value), most_I = std::max(most_I, value);
         if (name == "cap_active") (value > 0.5 ? capped : uncapped) = true;
         if (name == "u") forward |= value > 0.0, backward |= value < 0.0;
@@ -83,10 +89,13 @@ TEST_P(EveryModel, JacobianAtRestCreepingAcrossTheCapAcrossINAndWithReversingWal
         << speed << " m/s: " << system.describe(worst);
   }
   const double I_N = std::get<rheology::PartiallyRegularised>(scene.law).I_N;
-  EXPECT_LT(met.least_I, I_N);
-  EXPECT_GT(met.most_I, I_N);
-  EXPECT_TRUE(met.capped && met.uncapped);
-  EXPECT_TRUE(met.forward && met.backward);
+  // A model without a field has nothing to meet there.
+  if (met.names.contains("inertial_number")) {
+    EXPECT_LT(met.least_I, I_N);
+    EXPECT_GT(met.most_I, I_N);
+  }
+  EXPECT_EQ(met.capped && met.uncapped, met.names.contains("cap_active"));
+  EXPECT_EQ(met.forward && met.backward, met.names.contains("u"));
 }
 
 /// Where pressure is an unknown: zero everywhere, about zero, and far below.

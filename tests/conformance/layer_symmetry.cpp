@@ -44,7 +44,8 @@ class LayerSymmetry : public testing::TestWithParam<std::string> {};
 std::vector<std::string> layer_examples() {
   std::vector<std::string> names;
   for (const auto& each : tests::every_case())
-    if (each.model == "layer") names.push_back(each.scene);
+    if (each.model == "layer" && !small(each.scene, 9, 5).box.lid)
+      names.push_back(each.scene);  // p is given at a lid's right end
   return names;
 }
 
@@ -77,7 +78,7 @@ std::vector<Image> images(const layer::Layer& system) {
   return list;
 }
 
-/// Both ends of every example are of one kind; a left wall has no counterpart on the right, and no mirror image.
+/// Both ends of every example are of one kind.
 TEST_P(LayerSymmetry, AMirroredBoxHasTheMirroredRows) {
   for (const std::string& settings : {std::string("inflow.momentum=false"), std::string("inflow.momentum=true"),
                                       std::string("model.advection=central")}) {

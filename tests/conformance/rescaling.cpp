@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "ida/ida.hpp"
@@ -27,17 +28,19 @@ std::vector<double> times_units(std::vector<double> v, const core::Layout& layou
   return v;
 }
 
-/// The factor of each field's rows: a power of two, the same for all of them. Reports rows that break this.
-std::map<int, double> row_factors(const core::DaeSystem& system, const std::vector<double>& r,
-                                  const std::vector<double>& r_in_units) {
-  std::map<int, double> factors;
+/// The factor of each row: a power of two, to a relative `rounding`, and if they are all `alike` the same for all of a field. Not a
+/// number for rows that are zero. Reports rows that break this.
+std::vector<double> row_factors(const core::DaeSystem& system, const std::vector<double>& r,
+                                const std::vector<double>& r_in_units, bool alike, double rounding) {
+  std::map<int, double> of_field;
+  std::vector<double> factors(r.size(), std::numeric_limits<double>::quiet_NaN());
   int odd = 0;
   for (core::Index i = 0; i < system.layout().size(); ++i) {
     if (r[i] == 0.0 && r_in_units[i] == 0.0) continue;
-    const double factor = r_in_units[i] / r[i];
-    int exponent = 0;
-    const bool same = std::frexp(factor, &exponent) == 0.5 &&
-                      factor == factors.emplace(system.layout().field_of[i], factor).first->second;
+    const double ratio = r_in_units[i] / r[i], factor = std::exp2(std::round(std::log2(ratio)));
+    const double first = of_field.emplace(system.layout().field_of[i], factor).first->second;
+    const bool same = std::abs(ratio - factor) <= rounding * factor && (factor == first || !alike);
+    factors[i] = factor;
     if (!same && ++odd < 4) ADD_FAILURE() << system.describe(i) << ": " << r_in_units[i] << " from " << r[i];
   }
   EXPECT_EQ(odd, 0);
@@ -54,6 +57,8 @@ TEST_P(Rescaling, ChangesNoBitOfAnyMantissaOfResidualAndJacobian) {
     const auto simulation = app::model(scene.model).build(scene);
     const auto& system = *simulation.system;
     const auto& pattern = system.pattern();
+    // The triangle integrates over roots of depths, and the root of an odd power of two is none.
+    const double rounding = GetParam().model == "triangle" ? 1e-12 : 0.0;
     std::vector<double> y, yp, r(pattern.n()), r_in_units(r), J(pattern.n_nonzeros()), J_in_units(J);
     for (const double speed : {0.0, 1e-3, 0.3}) {
       tests::RandomState{speed}.fill(system, 3, y, yp);
@@ -67,14 +72,18 @@ TEST_P(Rescaling, ChangesNoBitOfAnyMantissaOfResidualAndJacobian) {
         const auto y_in_units = times_units(y, system.layout(), units, 1.0);
         const auto yp_in_units = times_units(yp, system.layout(), units, 1.0 / T);
         other.residual(0.1 * T, y_in_units, yp_in_units, r_in_units);
-        auto factors = row_factors(system, r, r_in_units);
+        // Under a lid some rows that are counted with p hold volumes.
+        auto factors = row_factors(system, r, r_in_units, !scene.box.lid, rounding);
         other.jacobian(0.1 * T, y_in_units, yp_in_units, 50.0 / T, J_in_units);
         int odd = 0;
         for (core::Index j = 0; j < pattern.n(); ++j)
           for (auto e = pattern.column_starts()[j]; e < pattern.column_starts()[j + 1]; ++e) {
             const core::Index i = pattern.rows()[e];
-            const double factor = factors[system.layout().field_of[i]] / units.factor(system.layout().field(j).unit);
-            if (J_in_units[e] != factor * J[e] && ++odd < 4)
+            if (J[e] == 0.0 && J_in_units[e] == 0.0) continue;
+            const double unit = units.factor(system.layout().field(j).unit);
+            if (std::isnan(factors[i])) factors[i] = J_in_units[e] / J[e] * unit;
+            const double expected = factors[i] / unit * J[e];
+            if (std::abs(J_in_units[e] - expected) > rounding * std::abs(expected) && ++odd < 4)
               ADD_FAILURE() << system.describe(i) << " by " << system.describe(j) << ": " << J_in_units[e] << " from "
                             << J[e];
           }
@@ -96,7 +105,8 @@ std::vector<double> state_after(const core::DaeSystem& system, const ida::Option
 
 /// The column also takes the same steps with the same pivots, and its runs keep every bit. The layer's linear solvers choose their
 /// pivots by the size of entries of unlike units: its runs agree to rounding, and to the last bit where only the mass unit changes.
-/// In the periodic chute rounding tips a decision of the integrator, whether factors are kept: it agrees to ten tolerances.
+/// In the periodic chute rounding tips a decision of the integrator, whether factors are kept: it agrees to ten tolerances. Newton's
+/// method is held free of doubt: in doubt it goes down to rounding, which then tips its decisions in every scene of the layer.
 TEST_P(Rescaling, ChangesNoMoreThanRoundingThroughARun) {
   for (const char* solver : {"klu", "banded"}) {
     const auto scene = GetParam().read(20, 8, {"rheology.cap=hard", std::string("integrator.linear_solver=") + solver});
@@ -105,7 +115,9 @@ TEST_P(Rescaling, ChangesNoMoreThanRoundingThroughARun) {
     const auto& layout = system.layout();
     std::vector<double> y(layout.size()), yp(y);
     system.initial_state(0.0, y, yp);
-    const auto expected = state_after(system, app::make_integrator_options(scene), y, yp, 0.3);
+    auto free_of_doubt = app::make_integrator_options(scene);
+    free_of_doubt.newton.doubt = 0;
+    const auto expected = state_after(system, free_of_doubt, y, yp, 0.3);
     const double rounding = scene.box.periodic ? 10.0 * scene.integration.rtol : 1e-12;
     std::map<std::string, double> size;  // of the fields of a unit
     for (core::Index i = 0; i < layout.size(); ++i)
@@ -114,6 +126,7 @@ TEST_P(Rescaling, ChangesNoMoreThanRoundingThroughARun) {
       const double T = units.factor(0, 1, 0);
       const tests::RescaledSystem other(scene, units);
       auto options = app::make_integrator_options(tests::rescaled(scene, units));
+      options.newton.doubt = 0;
       options.start_step *= T;
       options.min_step *= T;
       const auto got = state_after(other, options, times_units(y, layout, units, 1.0),

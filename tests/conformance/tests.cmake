@@ -1,5 +1,6 @@
 talus_test(conformance every_model ROOMS app)
 talus_test(conformance column ROOMS app)
+talus_test(conformance triangle ROOMS app)
 talus_test(conformance layer ROOMS app)
 talus_test(conformance rescaling ROOMS app)
 talus_test(conformance layer_symmetry ROOMS app)

@@ -37,6 +37,13 @@ struct Case {
     settings.push_back("model.name=" + model);
     return small(scene, columns, layers, std::move(settings));
   }
+  /// Whether the model can compute the scene with these settings.
+  [[nodiscard]] bool represents(const std::vector<std::string>& settings = {}) const {
+    try {
+      (void)read(9, 5, settings);
+      return true;
+    } catch (const core::ConfigError&) { return false; }
+  }
 };
 
 inline void PrintTo(const Case& each, std::ostream* out) { *out << each.model << " on " << each.scene; }
@@ -47,12 +54,7 @@ inline std::vector<Case> every_case() {
   for (const auto& model : app::model_names())
     for (const auto& name : example_names()) {
       const Case each{model, name};
-      try {
-        (void)each.read(9, 5);
-        cases.push_back(each);
-      } catch (const core::ConfigError&) {
-        // this model cannot represent this scene
-      }
+      if (each.represents()) cases.push_back(each);
     }
   return cases;
 }

@@ -49,7 +49,11 @@ inline app::Scene rescaled(app::Scene scene, const Units& units) {
   grow(L, scene.box.length, scene.box.height, scene.box.gap, scene.grains.d, in.position, in.width, scene.numerics.film,
        scene.initial.thickness, scene.cells.cluster_depth, by.atol_height);
   grow(T, in.start, in.stop, in.ramp, by.max_step, scene.end);
-  grow(L / T, reg.rate_speed, scene.wall.u_c, scene.numerics.film_speed, by.atol_velocity);
+  if (scene.box.lid) {
+    grow(L / T, scene.box.lid->speed);
+    grow(M / (L * T * T), scene.box.lid->pressure);
+  }
+  grow(L / T, scene.box.base_speed, reg.rate_speed, scene.wall.u_c, scene.numerics.film_speed, by.atol_velocity);
   grow(M / (L * T * T), reg.p_0, by.atol_pressure);
   grow(L / (T * T), scene.box.gravity);
   grow(M / (L * L * L), scene.grains.rho_star);

@@ -51,18 +51,19 @@ struct Sampled {
     std::array<core::Index, Slots::n_in> from;
     Slots::connect(system.unknowns(), across, k, from);
     fv::Inputs<double, Slots::n_in> in{};
-    for (int j = 0; j < Slots::n_in; ++j) in.y[j] = from[j] < 0 ? 0.0 : y[from[j]];
+    for (int j = 0; j < Slots::n_in; ++j) in.y[j] = fv::read(y, from[j]);
     return in;
   }
   [[nodiscard]] layer::CornerStrain<double> at_corner(int f, int k) const {
     const auto in = inputs<layer::CornerSlots>(f, k);
     const layer::Heights<double, layer::CornerSlots::n_in> g(system.context(0.0, y), f - 2, in, layer::CornerSlots::H_);
-    return layer::corner_strain(g, k, system.columns().dx(), in.y);
+    return layer::corner_strain(g, k, system.columns().dx(), 0.0, in.y);
   }
   [[nodiscard]] layer::CornerStrain<double> at_centre(int i, int k) const {
     const auto in = inputs<layer::CentreSlots>(i, k);
     const layer::Heights<double, layer::CentreSlots::n_in> g(system.context(0.0, y), i - 2, in, layer::CentreSlots::H_);
-    return layer::centre_strain(g, k, system.columns().n_layers, system.columns().dx(), in.y);
+    return layer::centre_strain(g, k, system.columns().n_layers, system.columns().dx(),
+                                layer::bounds(system.context(0.0, y), i), in.y);
   }
 
   static constexpr double depth = 0.05;  // [m]

@@ -104,7 +104,7 @@ struct Poured : Kernel {
   }
   template <class S>
   void evaluate(const Context& c, Index, const fv::Inputs<S, n_in>&, std::array<S, n_out>& out) const {
-    out[0] -= c.parameters->inflow.rate * jet_schedule(c.parameters->inflow, c.t);
+    out[0] -= experiment::inflow_rate(c.parameters->inflow, c.t);
   }
 };
 
