@@ -22,7 +22,7 @@ TEST_PACKAGES := parallel shellcheck
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 # Not Debian's default clang 14, which cannot read the ranges of g++ 12's library.
-FUZZ_PACKAGES := clang-16 libclang-rt-16-dev
+FUZZ_PACKAGES := clang-16 libclang-rt-16-dev libomp-16-dev
 
 .PHONY: help deps configure run paper test test-slow test-all planted fuzz bench format check check-all clean
 
