@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/errors.hpp"
@@ -37,7 +38,7 @@ const Parameters& checked(const Parameters& par) {
   require(par.channel.mu_w > 0.0, "without wall friction no heap stands on the base: mu_w must be above 0");
   require(!par.box.periodic && par.box.left_open, "both ends of the box must be open");
   require(par.columns >= 1, "the surface needs a column to be written at");
-  const double quarter = 0.5 * 3.14159265358979323846;
+  constexpr double quarter = 0.5 * std::numbers::pi;
   require(par.box.tilt >= 0.0 && par.left_slope + par.box.tilt > 0.0 && par.left_slope + par.box.tilt < quarter,
           "the left face must rise over the base, and not overhang");
   require(Frame(par).landing > 0.0 && Frame(par).landing < par.box.length, "the jet must fall into the box");

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "app/triangle_model.hpp"
+#include "core/errors.hpp"
+#include "steady/uniform_flow.hpp"
 #include "support/example_scene.hpp"
 #include "triangle/fields.hpp"
 #include "triangle/triangle.hpp"
@@ -50,6 +54,19 @@ TEST(Triangle, TheSurfaceHoldsTheStoredMass) {
     cut |= of("mass_outflow_left")[0] > 0.0;
   }
   EXPECT_TRUE(cut);
+}
+
+/// Where half its height is less than the depth that would flow, the base bounds the flow.
+TEST(Triangle, AThinHeapFlowsOverItsBase) {
+  const auto system = heap(9);
+  const auto& par = system.parameters();
+  for (const double mass : {1e-4, 1e-3, 5e-3}) {
+    const auto shape = system.shape(mass);
+    const double lean = std::atan(shape.rise);
+    const auto flow = steady::UniformFlow::at(par.channel, par.box.tilt + lean, 0.5 * shape.apex_z * std::cos(lean));
+    ASSERT_TRUE(flow && flow->on_base()) << mass << " kg";
+    EXPECT_NEAR(system.context(1.0, mass).outflow, flow->flux(), 1e-9 * flow->flux()) << mass << " kg";
+  }
 }
 
 /// The classical law holds what is no steeper than mu_s, and has no steady flow from mu_d on.

@@ -11,6 +11,7 @@
 
 /// Members that are stopped or killed, and go on.
 namespace {
+using talus::support::angles;
 using talus::support::contents;
 using talus::support::differences_between;
 using talus::support::Outcome;
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr int n_members = 3, restartable = 75;
 constexpr double checkpoint_interval = 1e-3;
-const std::string angles = "[[axis]]\nkey = \"box.tilt\"\nvalues = [40, 42, 45]\n";
 /// Ten million steps: none ends by itself before the test has done with it.
 const std::string endless =
     "\"time.end=100\", \"integrator.max_step=1e-5\", \"checkpoint.interval=1e-3\", \"output.times=[]\", "

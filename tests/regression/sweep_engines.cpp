@@ -9,6 +9,7 @@
 
 /// Scripts for other engines: with the real GNU parallel, and Slurm's under a stand-in for its environment.
 namespace {
+using talus::support::angles;
 using talus::support::contents;
 using talus::support::Outcome;
 using talus::support::outcome_of;
@@ -17,8 +18,6 @@ using talus::support::SmallSweep;
 using talus::support::stopped_at_once;
 using talus::support::TemporaryFolder;
 namespace fs = std::filesystem;
-
-const std::string angles = "[[axis]]\nkey = \"box.tilt\"\nvalues = [40, 42, 45]\n";
 
 /// Runs a command of the shell's PATH.
 Outcome shell(const std::string& command, std::vector<std::string> arguments) {

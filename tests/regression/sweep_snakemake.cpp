@@ -15,7 +15,7 @@ Outcome snakemake(const SmallSweep& sweep) {
 }
 
 TEST(Snakemake, RunsWhatIsNotFinishedAndTriesFailuresOnceMore) {
-  const SmallSweep sweep("[[axis]]\nkey = \"box.tilt\"\nvalues = [40, 42, 45]\n");
+  const SmallSweep sweep(talus::support::angles);
   ASSERT_EQ(sweep.sweep({"--write", "snakemake"}).code, 0);
   const auto scene = sweep.folder() / "scenes" / "0001.toml";
   fs::rename(scene, sweep.folder() / "aside");

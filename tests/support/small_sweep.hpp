@@ -10,6 +10,9 @@
 
 namespace talus::support {
 
+/// Three members of a small sweep.
+inline const std::string angles = "[[axis]]\nkey = \"box.tilt\"\nvalues = [40, 42, 45]\n";
+
 /// A sweep over a chute of 4 x 8 cells that runs for two hundredths of a second, in a folder whose name asks for quotes.
 /// `settings`: of all members in place of these, as the sweep file lists them.
 /// Needs the compile definitions TALUS_PROGRAM and TALUS_SOURCE_DIR.
