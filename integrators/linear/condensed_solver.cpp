@@ -74,7 +74,8 @@ void CondensedSolver::factor_anew() {
   band_.clear();
   for (std::size_t j = 0; j < kept_.size(); ++j)
     for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
-      if (const Index i = number_[rows[k]]; i >= 0) band_.add(i, static_cast<Index>(j), values()[k] * row_scale()[rows[k]]);
+      if (const Index i = number_[rows[k]]; i >= 0)
+        band_.add(i, static_cast<Index>(j), values()[k] * row_scale()[rows[k]]);
 
   // S = D - C E^-1 B, chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
   std::fill(scratch_.begin(), scratch_.end(), 0.0);
@@ -128,8 +129,8 @@ void CondensedSolver::substitute(std::span<double> b) {
 
 std::string CondensedSolver::describe() const {
   std::ostringstream line;
-  line << "condensed band LU (LAPACK, two-ended): " << links_.size() << " unknowns solved for along chains, " << n_kept()
-       << " left, " << width() << " diagonals on either side, " << memory() / (1 << 20) << " MiB";
+  line << "condensed band LU (LAPACK, two-ended): " << links_.size() << " unknowns solved for along chains, "
+       << n_kept() << " left, " << width() << " diagonals on either side, " << memory() / (1 << 20) << " MiB";
   if (statistics().factorisations > 0) line << ", residual " << statistics().first_residual;
   return line.str();
 }

@@ -33,12 +33,13 @@ class TwoEndedBand {
 
  private:
   struct Part {
-    Index n = 0;                 ///< unknowns
-    std::vector<double> band;    ///< LAPACK band storage, leading dimension 3 width + 1
+    Index n = 0;               ///< unknowns
+    std::vector<double> band;  ///< LAPACK band storage, leading dimension 3 width + 1
     std::vector<int> pivots;
-    std::vector<int> above, below;  ///< entries of U above and of L below the diagonal of each column, up to the last non-zero
-    std::vector<double> to;      ///< part rows of the window x separator columns: F, shape (window, m), column major
-    std::vector<double> from;    ///< separator rows x part columns of the window: G, shape (m, window), column major
+    std::vector<int> above,
+        below;               ///< entries of U above and of L below the diagonal of each column, up to the last non-zero
+    std::vector<double> to;  ///< part rows of the window x separator columns: F, shape (window, m), column major
+    std::vector<double> from;  ///< separator rows x part columns of the window: G, shape (m, window), column major
   };
   [[nodiscard]] Index leading() const { return 3 * width_ + 1; }
   [[nodiscard]] Index window(const Part& part) const { return part.n < 2 * width_ ? part.n : 2 * width_; }
@@ -60,7 +61,8 @@ class TwoEndedBand {
 
   Index n_ = 0, width_ = 0, left_ = 0, separator_ = 0;
   Part part_[2];
-  std::vector<double> middle_, joined_;  ///< the separator's own block, and its Schur complement in factors, shape (m, m)
+  std::vector<double> middle_,
+      joined_;  ///< the separator's own block, and its Schur complement in factors, shape (m, m)
   std::vector<int> joined_pivots_;
 };
 

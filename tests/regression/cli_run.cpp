@@ -55,8 +55,8 @@ TEST(Cli, ListsEveryExampleAndExplainsEverySection) {
   EXPECT_EQ(list.code, 0);
   for (const auto& file : scenes()) EXPECT_TRUE(says(list, file.filename().string() + ": ")) << list.output;
   const Outcome explained = talus({"explain"});
-  for (const char* section :
-       {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator", "time", "output", "checkpoint"}) {
+  for (const char* section : {"scene", "box", "grains", "rheology", "wall", "inflow", "model", "grid", "integrator",
+                              "time", "output", "checkpoint"}) {
     EXPECT_TRUE(says(explained, "[" + std::string(section) + "]")) << section;
     EXPECT_EQ(talus({"explain", section}).code, 0);
   }
