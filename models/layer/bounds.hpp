@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "layer/context.hpp"
 
 namespace talus::layer {
@@ -25,6 +27,18 @@ inline double base_speed(const Context& c, int f) {
 inline double lid_speed(const Context& c, int f) {
   const Parameters& par = *c.parameters;
   return par.forcing ? par.forcing->lid_speed(f, c.t) : par.box.lid->speed;
+}
+
+/// How a boundary to which grains stick moves at a face: its speed along x [m/s], and how that grows along x [1/s].
+struct Sticking {
+  double speed, stretch;
+};
+inline Sticking sticking(double (*speed)(const Context&, int), const Context& c, int f) {
+  const double here = speed(c, f);
+  if (!c.parameters->forcing) return {here, 0.0};
+  const bool joined = c.columns.periodic;
+  const int left = joined ? f - 1 : std::max(f - 1, 0), right = joined ? f + 1 : std::min(f + 1, c.columns.n_columns);
+  return {here, (speed(c, right) - speed(c, left)) / ((right - left) * c.columns.dx())};
 }
 
 /// What bounds a column from below and above: the speeds [m/s] are those in its middle, where grains stick.

@@ -24,8 +24,8 @@ double corner_inertial_number(const Layer& layer, const Context& c, std::span<co
   for (int j = 0; j < CornerSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
   const Heights<double, CornerSlots::n_in> g(c, f - 2, inputs, CornerSlots::H_);
   const bool slips = layer.parameters().box.base == Contact::free_slip;
-  const double below = k == 0 ? (slips ? inputs.y[1] : base_speed(c, f)) : 0.0;
-  const auto strain = corner_strain(g, k, layer.columns().dx(), below, inputs.y);
+  const auto base = k == 0 && !slips ? std::optional(sticking(base_speed, c, f)) : std::nullopt;
+  const auto strain = corner_strain(g, k, layer.columns().dx(), base, inputs.y);
   const auto& reg = layer.parameters().regularisation;
   const double floor = rheology::rate_floor(reg, 0.5 * (g.H(1) + g.H(2)));
   return rheology::inertial_number(layer.parameters().grains, reg,

@@ -57,7 +57,7 @@ struct Sampled {
   [[nodiscard]] layer::CornerStrain<double> at_corner(int f, int k) const {
     const auto in = inputs<layer::CornerSlots>(f, k);
     const layer::Heights<double, layer::CornerSlots::n_in> g(system.context(0.0, y), f - 2, in, layer::CornerSlots::H_);
-    return layer::corner_strain(g, k, system.columns().dx(), 0.0, in.y);
+    return layer::corner_strain(g, k, system.columns().dx(), {}, in.y);
   }
   [[nodiscard]] layer::CornerStrain<double> at_centre(int i, int k) const {
     const auto in = inputs<layer::CentreSlots>(i, k);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 
 #include "layer/bounds.hpp"
 #include "layer/terms/kernel.hpp"
@@ -27,7 +28,8 @@ Stress<S> stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p
 }
 
 /// Strain rate at a cell corner: interface k of face f, k < n_layers. The shear across layers is one compact difference;
-/// D_xx follows from D_zz by incompressibility; on the base the velocity below is the base's.
+/// D_xx follows from D_zz by incompressibility; on the base the velocity below is the base's, and where grains stick to it (`base`),
+/// so is the stretch along it.
 template <class S>
 struct CornerStrain {
   S D_xx, D_xz;
@@ -52,20 +54,21 @@ struct CornerSlots {
 };
 
 template <class S, int N>
-CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, double base_speed,
+CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, const std::optional<Sticking>& base,
                               const std::array<S, CornerSlots::n_in>& y) {
   const S* omega_left = &y[CornerSlots::omega_];
   const S* omega_right = omega_left + 3;
   const auto omega = [&](int j) { return S(0.5 * (omega_left[j] + omega_right[j])); };
-  const S u_below = k > 0 ? y[0] : S(base_speed);
   const S& u_above = y[1];
+  const S u_below = k > 0 ? y[0] : (base ? S(base->speed) : u_above);
   const S slope = g.slope_corner(2, k);
   const S w_above = u_above * g.slope_face(2, k) + 0.5 * (omega(1) + omega(2));
   const S dz = k > 0 ? S(0.5 * (g.h_face(2, k - 1) + g.h_face(2, k))) : S(0.5 * g.h_face(2, 0));
-  const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(base_speed * slope);
+  const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(u_below * slope);
   const S u = k > 0 ? S(0.5 * (u_below + u_above)) : u_below;
   const S u_z = (u_above - u_below) / dz;
-  const S w_z = (w_above - w_below) / dz;
+  // A one-sided dw/dz would be of order 1, and p of the lowest layer with it.
+  const S w_z = k == 0 && base ? S(slope * u_z - base->stretch) : S((w_above - w_below) / dz);
   const S stretch = slope * u_z - w_z;  // du/dx along the layer
   const S w_x = stretch * slope + u * ((g.slope(2, k) - g.slope(1, k)) / dx) + (omega_right[1] - omega_left[1]) / dx;
   return {-w_z, S(0.5 * (u_z + w_x - slope * w_z))};
@@ -132,7 +135,8 @@ struct CornerStress : Kernel, CornerSlots {
       scatter_momentum(S(width(f) * T.x), S(width(f) * T.z), g.slope_face(2, k), out, 5);
       return;
     }
-    const auto strain = corner_strain(g, k, columns.dx(), k == 0 ? base_speed(c, f) : 0.0, in.y);
+    const auto strain =
+        corner_strain(g, k, columns.dx(), k == 0 ? std::optional(sticking(base_speed, c, f)) : std::nullopt, in.y);
     const auto tau = stress(par, strain.D_xx, strain.D_xz, p, H);
     const S T_x = width(f) * (tau.xz - slope * tau.xx);
     const S T_z = width(f) * (-tau.xx - slope * tau.xz);

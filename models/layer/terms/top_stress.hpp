@@ -33,10 +33,10 @@ struct LidStress : Kernel {
     if (top_of(par) == Top::free_slip) {
       T = smooth_wall_traction(par, S((u * (slope_mid - slope) + w_foot) / (0.5 * h)), slope, p, H);
     } else {
-      const double U = lid_speed(c, f);
+      const auto [U, stretch] = sticking(lid_speed, c, f);
       const S u_z = (U - u) / (0.5 * h);
-      const S w_z = (U * slope - (u * slope_mid + w_foot)) / (0.5 * h);
-      const S w_x = (slope * u_z - w_z) * slope + U * ((g.slope(2, n) - g.slope(1, n)) / columns.dx());
+      const S w_z = slope * u_z - stretch;
+      const S w_x = stretch * slope + U * ((g.slope(2, n) - g.slope(1, n)) / columns.dx());
       const auto tau = stress(par, S(-w_z), S(0.5 * (u_z + w_x - slope * w_z)), p, H);
       T = {S(tau.xz - slope * tau.xx), S(-tau.xx - slope * tau.xz)};
     }
