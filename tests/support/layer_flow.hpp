@@ -43,7 +43,7 @@ inline void set_flow(const layer::Layer& system, const ExactFlow& flow, double t
 /// Errors of a state against a flow, at the places of the grid as it stands: u at faces, w = omega + u slope on interfaces with u of
 /// the flow, p in cells.
 struct FlowErrors {
-  diagnostics::Norms u, w, p, p_above;  ///< the last above the lowest layer
+  diagnostics::Norms u, w, p;
 };
 
 /// With `level_free` the mean difference of p does not count.
@@ -54,7 +54,7 @@ inline FlowErrors errors(const layer::Layer& system, const ExactFlow& flow, doub
   const auto& context = system.context(t, y);
   const auto z = [&](int i, int k) { return context.z[context.at(i, k)]; };
   const auto slope = [&](int i, int k) { return (z(i + 1, k) - z(i - 1, k)) / (2.0 * c.dx()); };
-  std::vector<double> u, w, p, volume_u, volume_w, volume_p, volume_above;
+  std::vector<double> u, w, p, volume_u, volume_w, volume_p;
   for (int f = 0; f <= c.n_columns; ++f) {
     for (int k = 0; k < c.n_layers; ++k) {
       if (at.u(f, k) < 0 || (c.periodic && f == c.n_columns)) continue;
@@ -67,7 +67,6 @@ inline FlowErrors errors(const layer::Layer& system, const ExactFlow& flow, doub
     for (int k = 0; k < c.n_layers; ++k) {
       p.push_back(y[at.p(i, k)] - flow(c.x_centre(i), 0.5 * (z(i, k) + z(i, k + 1)), t).p);
       volume_p.push_back(z(i, k + 1) - z(i, k));
-      volume_above.push_back(k == 0 && c.n_layers > 1 ? 0.0 : volume_p.back());
       if (at.omega(i, k + 1) < 0) continue;
       const auto here = flow(c.x_centre(i), z(i, k + 1), t);
       w.push_back(y[at.omega(i, k + 1)] - (here.w - here.u * slope(i, k + 1)));
@@ -79,8 +78,7 @@ inline FlowErrors errors(const layer::Layer& system, const ExactFlow& flow, doub
     for (std::size_t j = 0; j < p.size(); ++j) sum += volume_p[j] * p[j], volume += volume_p[j];
     for (double& e : p) e -= sum / volume;
   }
-  return {diagnostics::norms(u, volume_u), diagnostics::norms(w, volume_w), diagnostics::norms(p, volume_p),
-          diagnostics::norms(p, volume_above)};
+  return {diagnostics::norms(u, volume_u), diagnostics::norms(w, volume_w), diagnostics::norms(p, volume_p)};
 }
 
 /// Carries y (shape n) from t_0 to t_1 [s], at a relative tolerance `rtol`.
