@@ -55,7 +55,8 @@ layer::Parameters make_layer_parameters(const Scene& scene) {
           .initial = {scene.initial.thickness},
           .atol_velocity = scene.integration.atol_velocity,
           .atol_pressure = scene.integration.atol_pressure,
-          .atol_height = scene.integration.atol_height};
+          .atol_height = scene.integration.atol_height,
+          .atol_mass = scene.integration.atol_mass};
 }
 
 }  // namespace talus::app

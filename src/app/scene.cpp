@@ -134,11 +134,13 @@ layer::Numerics numerics_of(const Values& v) {
 }
 
 Integration integration_of(const Values& v) {
+  const double rtol = v.number("integrator.rtol");
   return {.method = words::meaning(words::methods, v.text("integrator.method")),
-          .rtol = v.number("integrator.rtol"),
-          .atol_velocity = v.number("integrator.atol_velocity"),
-          .atol_pressure = v.number("integrator.atol_pressure"),
-          .atol_height = v.number("integrator.atol_height"),
+          .rtol = rtol,
+          .atol_velocity = number_or(v, "integrator.atol_velocity", 0.1 * rtol),
+          .atol_pressure = number_or(v, "integrator.atol_pressure", 1e3 * rtol),
+          .atol_height = number_or(v, "integrator.atol_height", 0.01 * rtol),
+          .atol_mass = number_or(v, "integrator.atol_mass", 0.1 * rtol),
           .max_order = small_integer(v, "integrator.max_order"),
           .linear_solver = words::meaning(words::linear_solvers, v.text("integrator.linear_solver")),
           .newton = words::meaning(words::newtons, v.text("integrator.newton")),

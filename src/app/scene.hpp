@@ -23,6 +23,7 @@ struct Integration {
   double atol_velocity;  ///< [m/s]
   double atol_pressure;  ///< [Pa]
   double atol_height;    ///< [m]
+  double atol_mass;      ///< of the budgets [kg]
   int max_order;         ///< 1..5
   linear::Choice linear_solver;
   ida::Newton newton;

@@ -179,9 +179,10 @@ void numerics(Schema& s) {
                "bdf: step by step, by IDA; steady: the steady state that belongs to each recorded time, by KINSOL")
             .fallback(std::string("bdf")));
   s.add(number("rtol", "1", "relative tolerance of a step").above(0.0).below(1.0).fallback(1e-4));
-  s.add(number("atol_velocity", "m/s", "absolute tolerance").above(0.0).fallback(1e-5));
-  s.add(number("atol_pressure", "Pa", "absolute tolerance").above(0.0).fallback(0.1));
-  s.add(number("atol_height", "m", "absolute tolerance").above(0.0).fallback(1e-6));
+  s.add(number("atol_velocity", "m/s", "absolute tolerance").above(0.0).optional("rtol times 0.1 m/s"));
+  s.add(number("atol_pressure", "Pa", "absolute tolerance").above(0.0).optional("rtol times 1 kPa"));
+  s.add(number("atol_height", "m", "absolute tolerance").above(0.0).optional("rtol times 1 cm"));
+  s.add(number("atol_mass", "kg", "absolute tolerance of the budgets").above(0.0).optional("rtol times 0.1 kg"));
   s.add(
       integer("max_order", "of the backward differentiation formula").at_least(1).at_most(5).fallback(std::int64_t{5}));
   s.add(choice("linear_solver", words::of(words::linear_solvers),

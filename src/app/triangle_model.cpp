@@ -58,7 +58,8 @@ triangle::Parameters make_triangle_parameters(const Scene& scene) {
           .inflow = scene.inflow,
           .channel = channel_of(scene),
           .left_slope = scene.left_slope,
-          .columns = scene.cells.columns};
+          .columns = scene.cells.columns,
+          .atol_mass = scene.integration.atol_mass};
 }
 
 }  // namespace talus::app
