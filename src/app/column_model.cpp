@@ -65,6 +65,7 @@ Model column_model() {
   return {.name = "column",
           .doc = "a uniform layer on a slope, u(z, t), in one dimension; slope and gap may change in time",
           .has_columns = false,
+          .has_layers = true,
           .check = check,
           .build = build};
 }

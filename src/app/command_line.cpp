@@ -20,6 +20,7 @@
 #include "app/run.hpp"
 #include "app/scene.hpp"
 #include "app/steady_command.hpp"
+#include "app/study_command.hpp"
 #include "app/sweep.hpp"
 #include "app/versions.hpp"
 #include "sweep/sweep_file.hpp"
@@ -142,6 +143,7 @@ int act(int argc, const char* const* argv) {
   explain_command->callback([&] { print(explanation(section)); });
 
   add_steady_command(program, request.command);
+  add_study_command(program, request.command, code);
 
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
 

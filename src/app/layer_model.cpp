@@ -39,6 +39,7 @@ Model layer_model() {
   return {.name = "layer",
           .doc = "a layer of grains under a moving surface H(x, t), in two dimensions, without air",
           .has_columns = true,
+          .has_layers = true,
           .check = check,
           .build = build};
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -15,8 +16,8 @@
 namespace talus::app {
 
 int plot(const std::filesystem::path& folder, bool movie) {
-  if (!std::filesystem::exists(folder / "run.nc"))
-    throw core::ConfigError(folder.string() + ": holds no run (no run.nc)");
+  if (!std::filesystem::exists(folder / "run.nc") && !std::filesystem::exists(folder / "study.nc"))
+    throw core::ConfigError(folder.string() + ": holds no run (no run.nc) and no study (no study.nc)");
   std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string(),
               film = "--movie";
   std::array<char*, 5> arguments{python.data(), program.data(), where.data(), movie ? film.data() : nullptr, nullptr};
@@ -32,6 +33,14 @@ int plot(const std::filesystem::path& folder, bool movie) {
   }
   if (!WIFEXITED(status)) throw core::OutputError(core::ExitCode::io_setup, "python3 was ended by a signal");
   return WEXITSTATUS(status);
+}
+
+void draw_study(const std::filesystem::path& folder) {
+  std::string why;
+  try {
+    if (plot(folder, false) == 0) return;
+  } catch (const core::OutputError& error) { why = std::string(": ") + error.what(); }
+  std::fprintf(stderr, "warning: no picture was drawn%s; `talus plot %s` tries again\n", why.c_str(), folder.c_str());
 }
 
 }  // namespace talus::app

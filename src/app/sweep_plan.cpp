@@ -64,21 +64,26 @@ class Refusals {
 
 }  // namespace
 
-SweepPlan plan_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  SweepPlan plan{sweep::read_sweep(file, scene_schema()), {}};
-  const auto& design = plan.file.design;
-  plan.file.settings = merged(plan.file.settings, overrides);
+std::vector<std::string> member_scenes(const sweep::SweepFile& file, const std::filesystem::path& name) {
+  std::vector<std::string> scenes;
   Refusals refusals;
-  for (std::size_t member = 0; member < design.size(); ++member) {
-    auto settings = plan.file.settings;
-    for (const auto& [axis, value] : design.settings(member)) {
+  for (std::size_t member = 0; member < file.design.size(); ++member) {
+    auto settings = file.settings;
+    for (const auto& [axis, value] : file.design.settings(member)) {
       settings.push_back(axis.key + "=" + config::to_toml(config::value_of(value)));
     }
     try {
-      plan.scenes.push_back(effective_scene(plan.file.scene, settings));
+      scenes.push_back(effective_scene(file.scene, settings));
     } catch (const core::ConfigError& error) { refusals.add(member, error.what()); }
   }
-  refusals.throw_if_any(plan.file, file);
+  refusals.throw_if_any(file, name);
+  return scenes;
+}
+
+SweepPlan plan_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  SweepPlan plan{sweep::read_sweep(file, scene_schema()), {}};
+  plan.file.settings = merged(plan.file.settings, overrides);
+  plan.scenes = member_scenes(plan.file, file);
   return plan;
 }
 

@@ -14,6 +14,10 @@ struct SweepPlan {
   std::vector<std::string> scenes;  ///< effective scene of each member, as its run will write it
 };
 
+/// The effective scene of each member; `name` stands for the sweep in messages. Throws core::ConfigError naming the members
+/// whose scene is refused, with their axis values.
+std::vector<std::string> member_scenes(const sweep::SweepFile& file, const std::filesystem::path& name);
+
 /// Reads a sweep file and makes the scene of every member. `overrides` hold for all members and win over the file's own
 /// settings. Throws core::ConfigError for a bad sweep file, or naming the members whose scene is refused, with their axis
 /// values.

@@ -49,6 +49,7 @@ Model triangle_model() {
       .doc =
           "a heap as a triangle that drains by the exact steady flow down its face: growth and drain in milliseconds",
       .has_columns = true,
+      .has_layers = false,
       .check = check,
       .build = build};
 }

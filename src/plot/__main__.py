@@ -1,4 +1,4 @@
-"""Draws the pictures of a run: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
+"""Draws the pictures of a run, or the page of a study: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
 
 import argparse
 import os
@@ -33,10 +33,21 @@ class Progress:
 
 def arguments():
     parser = argparse.ArgumentParser(prog="python3 src/plot", description="Draws the pictures of a run of Talus.")
-    parser.add_argument("run", type=Path, help="folder that holds run.nc")
+    parser.add_argument("run", type=Path, help="folder that holds run.nc or study.nc")
     parser.add_argument("--out", type=Path, help="folder for the pictures (default: 'pictures' in the run's folder)")
     parser.add_argument("--movie", action="store_true", help="a movie of the whole event, too")
     return parser.parse_args()
+
+
+def draw_study(options, study_pages):
+    progress = Progress()
+    progress.begin("study")
+    try:
+        progress.end(study_pages.draw(options.run, options.out or options.run).name)
+    except OSError as error:
+        progress.end(f"failed, {error}")
+        return OUTPUT_FAILED
+    return OK
 
 
 def main():
@@ -44,12 +55,15 @@ def main():
     try:
         import column_history, column_profiles, column_regularisations
         import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
+        import study_pages
         from run_data import Missing, Run
     except ImportError as error:
         if sys.prefix != "/usr" and os.access(SYSTEM_PYTHON, os.X_OK):  # another Python comes first on the PATH
             os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
         print(f"{error}: the pictures need python3-xarray, python3-netcdf4 and python3-matplotlib", file=sys.stderr)
         return SETUP_FAILED
+    if (options.run / "study.nc").exists():
+        return draw_study(options, study_pages)
     folder = options.out or options.run / "pictures"
     try:
         run = Run(options.run)

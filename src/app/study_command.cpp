@@ -1,0 +1,49 @@
+#include "app/study_command.hpp"
+
+#include <memory>
+
+#include "app/study_converge.hpp"
+
+namespace talus::app {
+namespace {
+
+void add_scene(CLI::App& command, std::filesystem::path& file, std::vector<std::string>& overrides) {
+  command.add_option("scene", file, "scene file (TOML)")->required()->type_name("SCENE.toml");
+  command.add_option("--set", overrides, "replace a value of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_converge(CLI::App& study, const std::string& typed, int& code) {
+  constexpr int most_levels = 8;
+  const auto request = std::make_shared<ConvergeRequest>();
+  request->command = typed;
+  auto* command = study.add_subcommand("converge", "the scene on refined grids: observed orders, limits, uncertainties");
+  add_scene(*command, request->scene_file, request->overrides);
+  command->add_option("--levels", request->levels, "grids: the scene's own and its refinements by 2; default 4")
+      ->type_name("N")
+      ->check(CLI::Range(2, most_levels));
+  command
+      ->add_option("--in", request->directions,
+                   "what is refined: x columns, z layers, t tolerances (by 4); default the grid")
+      ->type_name("x,z,t");
+  command->add_option("--jobs", request->jobs, "levels at a time; default one on each core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--out", request->out, "folder of the study; default out/<scene.name>_converge")->type_name("DIR");
+  command->add_flag("--force", request->force, "run levels again whose scene has changed");
+  command->footer(
+      "Leaves study.nc, verdict.json and study.png beside the runs. Interrupted, the same command goes on; with more\n"
+      "--levels only the new ones are run. The exit code is 0 whatever the verdict.");
+  command->callback([request, &code] { code = study_converge(*request); });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program, const std::string& command, int& code) {
+  auto* study = program.add_subcommand("study", "many runs of a scene that answer one question");
+  study->require_subcommand(1);
+  add_converge(*study, command, code);
+}
+
+}  // namespace talus::app
