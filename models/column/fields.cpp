@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "column/layer_state.hpp"
+#include "diagnostics/flow_shares.hpp"
 
 namespace talus::column {
 namespace {
@@ -17,7 +18,21 @@ struct View {
   std::vector<LayerState> layers;
   Forces forces;
   double area_flow;  ///< int u dz [m2/s]
+  diagnostics::FlowShares shares;
 };
+
+/// Flowing are layers faster than 1 % of the uppermost.
+diagnostics::FlowShares shares_of(const Column& column, const std::vector<LayerState>& layers) {
+  constexpr double slowest = 0.01;
+  std::vector<diagnostics::FlowCell> cells;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const double speed = std::abs(layers[k].u);
+    const bool flows = speed > slowest * std::abs(layers.back().u);
+    cells.push_back(
+        {layers[k].I, layers[k].flow_class, flows ? column.heights().thickness(static_cast<int>(k)) : 0.0, speed});
+  }
+  return diagnostics::flow_shares(column.parameters().law, cells);
+}
 
 View make_view(const Column& column, const core::Snapshot& now) {
   View v{column,
@@ -25,7 +40,9 @@ View make_view(const Column& column, const core::Snapshot& now) {
          now.y,
          layer_states(column, now.t, now.y),
          forces(column, now.t, now.y),
-         0.0};
+         0.0,
+         {}};
+  v.shares = shares_of(column, v.layers);
   for (int k = 0; k < column.heights().n_layers(); ++k) v.area_flow += now.y[k] * column.heights().thickness(k);
   return v;
 }
@@ -55,6 +72,15 @@ Entry profile(const char* name, const char* unit, const char* long_name,
           }};
 }
 
+/// A number for each class, as diagnostics::FlowClass counts them.
+Entry flow_class_profile() {
+  auto entry =
+      profile("wellposed_class", "1", "", [](const LayerState& s) { return static_cast<double>(s.flow_class); });
+  entry.variable.long_name = "what becomes of short waves: " + diagnostics::flow_class_legend();
+  entry.variable.attributes["flag_meanings"] = diagnostics::flow_class_flags();
+  return entry;
+}
+
 std::vector<Entry> profiles() {
   using L = LayerState;
   return {
@@ -69,6 +95,12 @@ std::vector<Entry> profiles() {
       profile("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", [](const L& s) { return s.C; }),
       profile("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
               [](const L& s) { return s.q; }),
+      profile("wellposed_nu", "1", "I mu'/mu: where it is above 1/2, C > 0 is not growth",
+              [](const L& s) { return s.nu; }),
+      profile("growth_per_k2", "m2 s-1",
+              "largest growth rate of short waves over the square of their wave number, by frozen coefficients",
+              [](const L& s) { return s.growth_per_k2; }),
+      flow_class_profile(),
       profile("cap_active", "1", "1 where the viscosity cap takes away more than half",
               [](const L& s) { return s.capped ? 1.0 : 0.0; }),
       profile("rate_floor_active", "1", "1 where the floor under the strain rate is above the strain rate",
@@ -109,9 +141,18 @@ std::vector<Entry> numbers() {
                  [](const View& v) { return v.forces.imbalance(); })};
 }
 
+std::vector<Entry> shares() {
+  std::vector<Entry> all;
+  for (const auto& share : diagnostics::share_numbers())
+    all.push_back({{share.name, {}, "1", share.long_name, core::Storage::double_precision, false, {}},
+                   [value = share.value](const View& v, std::vector<double>& out) { out.assign(1, value(v.shares)); }});
+  return all;
+}
+
 std::vector<Entry> entries() {
   std::vector<Entry> all;
-  for (auto&& group : {coordinates(), profiles(), numbers()}) all.insert(all.end(), group.begin(), group.end());
+  for (auto&& group : {coordinates(), profiles(), numbers(), shares()})
+    all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 

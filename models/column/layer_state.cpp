@@ -54,9 +54,12 @@ std::vector<LayerState> layer_states(const Column& column, double t, std::span<c
     const auto response = rheology::response(par.law, s.I);
     s.mu = response.mu;
     s.C = rheology::condition_C(response);
+    s.nu = response.nu;
     s.q = response.q;
     s.eta = shear_viscosity(c, shear[k], s.p);
     s.capped = rheology::is_capped(par.law, par.grains, par.regularisation, D_squared, c.rate_floor, s.p);
+    s.growth_per_k2 = diagnostics::growth_per_square(response, s.capped, s.eta, par.grains.rho());
+    s.flow_class = diagnostics::flow_class(response, s.capped);
     s.floored = c.rate_floor > s.D_norm;
     s.pressure_shift = rheology::positive_pressure(s.p, par.regularisation.p_0) - s.p;
     s.wall_mobilisation = std::abs(u[k] * rheology::friction_direction(u[k] * u[k], par.wall.u_c));

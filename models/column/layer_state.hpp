@@ -4,16 +4,20 @@
 #include <vector>
 
 #include "column/column.hpp"
+#include "diagnostics/flow_class.hpp"
 
 namespace talus::column {
 
 /// Everything pointwise in the middle of a layer, from the same shear rates and viscosity as the equation.
 struct LayerState {
-  double u;                  ///< down the slope [m/s]
-  double p;                  ///< [Pa]
-  double D_norm;             ///< [1/s]
-  double I, mu, eta;         ///< [1], [1], [Pa s]; as regularised
-  double C, q;               ///< (3.18) and mu - I mu'/2: well-posed where C <= 0, by linear theory where q < 1 too
+  double u;           ///< down the slope [m/s]
+  double p;           ///< [Pa]
+  double D_norm;      ///< [1/s]
+  double I, mu, eta;  ///< [1], [1], [Pa s]; as regularised
+  double C, nu,
+      q;  ///< (3.18), I mu'/mu and mu - I mu'/2: well-posed where C <= 0, by linear theory where nu > 1/2 and q < 1 too
+  double growth_per_k2;  ///< diagnostics::growth_per_square [m2/s]
+  diagnostics::FlowClass flow_class;
   bool capped;               ///< the viscosity cap takes away more than half
   bool floored;              ///< the floor under the strain rate is above the strain rate
   double pressure_shift;     ///< what p_0 adds, p_+ - p [Pa]

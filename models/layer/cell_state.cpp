@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnostics/flow_class.hpp"
 #include "layer/bounds.hpp"
 #include "layer/terms/stress.hpp"
 #include "rheology/well_posedness.hpp"
@@ -69,9 +70,11 @@ CellState cell_state(const Layer& layer, const Context& c, std::span<const doubl
   const auto response = rheology::response(par.law, s.I);
   s.mu = response.mu;
   s.C = rheology::condition_C(response);
+  s.nu = response.nu;
   s.q = response.q;
   s.eta = par.fluid ? par.fluid->eta : rheology::viscosity(par.law, par.grains, reg, D_squared, floor, s.p);
   s.capped = rheology::is_capped(par.law, par.grains, reg, D_squared, floor, s.p);
+  s.growth_per_k2 = diagnostics::growth_per_square(response, s.capped, s.eta, par.grains.rho());
   return s;
 }
 

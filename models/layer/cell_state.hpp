@@ -14,7 +14,9 @@ struct CellState {
   double D_norm;      ///< [1/s]
   double I, mu, eta;  ///< [1], [1], [Pa s]; as regularised
   bool capped;        ///< the viscosity cap takes away more than half
-  double C, q;        ///< (3.18) and mu - I mu'/2: well-posed where C <= 0, by linear theory where q < 1 too
+  double C, nu,
+      q;  ///< (3.18), I mu'/mu and mu - I mu'/2: well-posed where C <= 0, by linear theory where nu > 1/2 and q < 1 too
+  double growth_per_k2;  ///< diagnostics::growth_per_square [m2/s]
 };
 
 /// `context` must be that of `y`.

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "diagnostics/heap_shape.hpp"
-#include "diagnostics/ill_posedness.hpp"
 #include "layer/cell_state.hpp"
 #include "layer/film.hpp"
+#include "layer/flow_shares.hpp"
 #include "layer/jet.hpp"
 
 namespace talus::layer {
@@ -26,13 +26,23 @@ struct View {
   std::optional<diagnostics::Face> face;
   diagnostics::Apex apex;
   double roughness;
-  diagnostics::IllPosedness ill_posed;  ///< shares of the flowing area
+  diagnostics::FlowShares shares;
 
   [[nodiscard]] double read(Index index) const { return index < 0 ? 0.0 : snapshot.y[index]; }
   [[nodiscard]] double rate(Index index) const { return index < 0 ? 0.0 : snapshot.yp[index]; }
   [[nodiscard]] int nx() const { return layer.columns().n_columns; }
   [[nodiscard]] int nz() const { return layer.columns().n_layers; }
   [[nodiscard]] double z(int i, int k) const { return context.z[context.at(i, k)]; }
+  /// [kg/s]
+  [[nodiscard]] double mass_flow() const {
+    const auto& at = layer.unknowns();
+    double sum = 0.0;
+    for (int f = 0; f <= nx(); ++f) {
+      for (int k = 0; k < nz(); ++k)
+        sum += read(at.u(f, k)) * 0.5 * (z(f - 1, k + 1) - z(f - 1, k) + z(f, k + 1) - z(f, k));
+    }
+    return sum / (nx() + 1) * layer.parameters().grains.rho() * layer.parameters().box.gap;
+  }
   [[nodiscard]] double mass_stored() const {
     double sum = 0.0;
     for (const double h : H) sum += h;
@@ -50,25 +60,6 @@ double face_roughness(std::span<const double> H, std::span<const double> top,
   return largest;
 }
 
-/// Flowing are cells faster than 1 % of their column's surface in columns well above the film, in which u means nothing.
-diagnostics::IllPosedness ill_posedness_of(const View& v) {
-  constexpr double slowest = 0.01;
-  const auto& par = v.layer.parameters();
-  const double thinnest = par.numerics.film * (1.0 + par.numerics.film_blend);
-  const auto speed = [](const CellState& cell) { return std::hypot(cell.u, cell.w); };
-  std::vector<double> I, area;
-  for (int k = 0; k < v.nz(); ++k) {
-    for (int i = 0; i < v.nx(); ++i) {
-      const CellState &cell = v.cells[std::size_t(k) * v.nx() + i],
-                      &top = v.cells[std::size_t(v.nz() - 1) * v.nx() + i];
-      const bool flows = v.H[i] > thinnest && speed(cell) > slowest * speed(top) && cell.I >= 0.0;
-      I.push_back(cell.I);
-      area.push_back(flows ? v.layer.columns().dx() * (v.z(i, k + 1) - v.z(i, k)) : 0.0);
-    }
-  }
-  return diagnostics::ill_posedness(par.law, I, area);
-}
-
 View make_view(const Layer& layer, const core::Snapshot& snapshot) {
   View v{layer, snapshot, layer.context(snapshot.t, snapshot.y), {}, {}, {}, {0, nothing, nothing}, nothing, {}};
   for (int k = 0; k < v.nz(); ++k)
@@ -84,7 +75,7 @@ View make_view(const Layer& layer, const core::Snapshot& snapshot) {
     v.face = diagnostics::right_face(surface);
     v.roughness = face_roughness(v.H, top, v.face);
   }
-  v.ill_posed = ill_posedness_of(v);
+  v.shares = flow_shares(layer, v.context, v.H, v.cells);
   return v;
 }
 
@@ -149,6 +140,23 @@ std::vector<Entry> coordinates() {
        })}};
 }
 
+/// A number for each class, as diagnostics::FlowClass counts them.
+Entry flow_class_field() {
+  return {{"wellposed_class",
+           {"layer", "column"},
+           "1",
+           "what becomes of short waves: " + diagnostics::flow_class_legend(),
+           core::Storage::single_precision,
+           false,
+           {{"coordinates", "x z"},
+            {"grid", "grid"},
+            {"location", "face"},
+            {"flag_meanings", diagnostics::flow_class_flags()}}},
+          over(false, 0, false, [](const View& v, int i, int k) {
+            return static_cast<double>(class_of(v.cells[std::size_t(k) * v.nx() + i]));
+          })};
+}
+
 std::vector<Entry> cell_fields() {
   const auto field = [](const char* name, const char* unit, const char* long_name, Fill fill) {
     return Entry{{name,
@@ -179,7 +187,12 @@ std::vector<Entry> cell_fields() {
                  [](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].capped ? 1.0 : 0.0; })),
       field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", cells(&CellState::C)),
       field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
-            cells(&CellState::q))};
+            cells(&CellState::q)),
+      field("wellposed_nu", "1", "I mu'/mu: where it is above 1/2, C > 0 is not growth", cells(&CellState::nu)),
+      field("growth_per_k2", "m2 s-1",
+            "largest growth rate of short waves over the square of their wave number, by frozen coefficients",
+            cells(&CellState::growth_per_k2)),
+      flow_class_field()};
 }
 
 std::vector<Entry> native_fields() {
@@ -267,19 +280,23 @@ std::vector<Entry> numbers(double first_mass) {
           one("surface_roughness", "1",
               "largest second difference of H over the straight right face, as a share of the top layer",
               [](const View& v) { return v.roughness; }),
-          one("ill_posed_share", "1", "share of the flowing area in which C of (3.18) is positive",
-              [](const View& v) { return v.ill_posed.C_positive; }),
-          one("growing_share", "1", "share of the flowing area in which short waves grow by linear theory",
-              [](const View& v) { return v.ill_posed.growing; }),
-          one("not_elliptic_share", "1", "share of the flowing area in which mu - I mu'/2 is not below 1",
-              [](const View& v) { return v.ill_posed.not_elliptic; })};
+          one("mass_flow", "kg s-1", "mass flow down the base, mean over the faces of columns",
+              [](const View& v) { return v.mass_flow(); })};
+}
+
+std::vector<Entry> shares() {
+  std::vector<Entry> all;
+  for (const auto& share : diagnostics::share_numbers())
+    all.push_back({{share.name, {}, "1", share.long_name, core::Storage::double_precision, false, {}},
+                   number([value = share.value](const View& v) { return value(v.shares); })});
+  return all;
 }
 
 std::vector<Entry> entries(const Layer& layer) {
   std::vector<Entry> all;
   const double first_mass = layer.parameters().initial.thickness * layer.parameters().box.length *
                             layer.parameters().grains.rho() * layer.parameters().box.gap;
-  for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
+  for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass), shares()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -105,8 +105,8 @@ std::vector<double> right_aligned(const std::vector<std::vector<double>>& rows, 
 }
 
 template <class Item>
-void add_limits(output::Table& table, const std::vector<Item>& items, const std::string& dimension, std::size_t n_orders,
-                const std::string& order_dimension) {
+void add_limits(output::Table& table, const std::vector<Item>& items, const std::string& dimension,
+                std::size_t n_orders, const std::string& order_dimension) {
   std::vector<std::string> names, units, long_names;
   std::vector<std::vector<double>> orders;
   std::vector<double> value, error, uncertainty;
@@ -133,11 +133,12 @@ void add_limits(output::Table& table, const std::vector<Item>& items, const std:
   add("tendency", "what its values on refined grids say", tendency);
   for (const auto each : study::tendencies()) table.variables.back().flags.emplace_back(word_of(each));
   if (n_orders > 0)
-    table.variables.push_back({dimension + "_order",
-                               {dimension, order_dimension},
-                               "1",
-                               "observed order of each three neighbouring levels; none where differences change their sign",
-                               right_aligned(orders, n_orders)});
+    table.variables.push_back(
+        {dimension + "_order",
+         {dimension, order_dimension},
+         "1",
+         "observed order of each three neighbouring levels; none where differences change their sign",
+         right_aligned(orders, n_orders)});
 }
 
 }  // namespace
@@ -165,7 +166,8 @@ std::string text_of(const ConvergenceStudy& study) {
 std::string sentence_of(const ConvergenceStudy& study) {
   const auto verdict = verdict_of(study);
   const std::string counted = std::to_string(study.n_counted) + " levels";
-  const std::string finer = "; a finer level, --levels " + std::to_string(study.levels.size() + 1) + ", would tell more";
+  const std::string finer =
+      "; a finer level, --levels " + std::to_string(study.levels.size() + 1) + ", would tell more";
   const auto list = [&](const char* before, Tendency tendency) {
     const std::string names = names_with(study, tendency);
     return names.empty() ? "" : std::string(before) + names;

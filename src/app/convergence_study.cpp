@@ -97,8 +97,7 @@ class Reader {
       study_.numbers.push_back(std::move(number));
     }
     for (auto& number : study_.numbers)
-      number.limit =
-          study::convergence(counted_part(number.values), refinement_ratio, rtol() * scale_.at(number.unit));
+      number.limit = study::convergence(counted_part(number.values), refinement_ratio, rtol() * scale_.at(number.unit));
   }
 
   [[nodiscard]] std::span<const double> counted_part(const std::vector<double>& values) const {

@@ -72,6 +72,10 @@ int integrate(const Session& session, Summary& summary, spdlog::logger& log) {
   log.info("{}", finished ? "finished" : reason);
   if (finished) reason = fmt::format("finished at t = {:g} s; results in {}", t, session.folder.path().string());
   std::printf("%s: %s\n", session.scene.name.c_str(), reason.c_str());
+  if (const auto words = summary.well_posedness(); !words.empty()) {
+    log.info("{}", words);
+    std::printf("%s: %s\n", session.scene.name.c_str(), words.c_str());
+  }
   return code;
 }
 

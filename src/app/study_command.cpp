@@ -18,7 +18,8 @@ void add_converge(CLI::App& study, const std::string& typed, int& code) {
   constexpr int most_levels = 8;
   const auto request = std::make_shared<ConvergeRequest>();
   request->command = typed;
-  auto* command = study.add_subcommand("converge", "the scene on refined grids: observed orders, limits, uncertainties");
+  auto* command =
+      study.add_subcommand("converge", "the scene on refined grids: observed orders, limits, uncertainties");
   add_scene(*command, request->scene_file, request->overrides);
   command->add_option("--levels", request->levels, "grids: the scene's own and its refinements by 2; default 4")
       ->type_name("N")
@@ -30,7 +31,8 @@ void add_converge(CLI::App& study, const std::string& typed, int& code) {
   command->add_option("--jobs", request->jobs, "levels at a time; default one on each core")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--out", request->out, "folder of the study; default out/<scene.name>_converge")->type_name("DIR");
+  command->add_option("--out", request->out, "folder of the study; default out/<scene.name>_converge")
+      ->type_name("DIR");
   command->add_flag("--force", request->force, "run levels again whose scene has changed");
   command->footer(
       "Leaves study.nc, verdict.json and study.png beside the runs. Interrupted, the same command goes on; with more\n"

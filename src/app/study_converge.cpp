@@ -58,8 +58,8 @@ int study_converge(const ConvergeRequest& request) {
   const Scene scene = read_scene(request.scene_file, request.overrides);
   const auto refinement = refinement_of(request.directions, scene);
   const SweepPlan plan = plan_of(request, scene, refinement);
-  SweepWork work(plan, request.scene_file.string(),
-                 request.out.value_or(std::filesystem::path("out") / plan.file.name), request.force);
+  SweepWork work(plan, request.scene_file.string(), request.out.value_or(std::filesystem::path("out") / plan.file.name),
+                 request.force);
   const auto code = work.run(request.jobs);
   if (code == core::ExitCode::restartable) {
     std::printf("%s: the same command goes on\n", plan.file.name.c_str());

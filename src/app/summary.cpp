@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/versions.hpp"
+#include "app/well_posedness_words.hpp"
 #include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
 
@@ -52,13 +53,14 @@ void Summary::record(const core::Snapshot& snapshot, const std::vector<core::Var
   json_["simulated_seconds"] = snapshot.t;
   json_["statistics"] = counters(snapshot.statistics);
   if (listed) json_["records"].push_back(now);
+  note_well_posedness(json_["well_posedness"], now);
   json_["final"] = std::move(now);
 }
 
 void Summary::continue_from(double t, const std::string& state) {
   const Json before = Json::parse(state);
-  for (const char* key : {"records", "final", "statistics", "simulated_seconds", "continued_from", "wall_seconds",
-                          "cpu_seconds", "peak_memory_bytes"})
+  for (const char* key : {"records", "final", "statistics", "simulated_seconds", "continued_from", "well_posedness",
+                          "wall_seconds", "cpu_seconds", "peak_memory_bytes"})
     if (before.contains(key)) json_[key] = before[key];
   json_["continued_from"].push_back(t);
   saved(t);
@@ -79,6 +81,10 @@ nlohmann::ordered_json Summary::with_times() const {
   json["peak_memory_bytes"] =
       std::max(json_.value("peak_memory_bytes", std::int64_t{0}), static_cast<std::int64_t>(usage.ru_maxrss) * 1024);
   return json;
+}
+
+std::string Summary::well_posedness() const {
+  return json_.contains("final") ? well_posedness_words(json_.value("well_posedness", Json()), json_["final"]) : "";
 }
 
 std::string Summary::state() const { return text_of(with_times(), -1); }

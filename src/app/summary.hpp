@@ -31,6 +31,8 @@ class Summary {
   /// listed output time are kept under "records", the latest under "final".
   void record(const core::Snapshot& snapshot, const std::vector<core::Variable>& variables,
               const std::vector<std::vector<double>>& values, bool listed);
+  /// How close the run came to ill-posedness, for people; empty where the model does not say.
+  [[nodiscard]] std::string well_posedness() const;
   /// `status` is finished, stopped or failed; `reason` says why, empty if it finished. Put in place in one piece.
   /// Throws core::OutputError(output_failed).
   void write(const std::filesystem::path& path, const std::string& status, int exit_code, const std::string& reason);

@@ -11,7 +11,7 @@ namespace talus::study {
 
 /// What the values of one number on grids refined by a constant ratio say of its limit, by the three finest of them.
 enum class Tendency : std::uint8_t {
-  settled,      ///< the last two differences are below what the integrator resolves: no order can be seen, none is needed
+  settled,  ///< the last two differences are below what the integrator resolves: no order can be seen, none is needed
   convergent,   ///< differences of one sign that fall at an order of at least `least_order`
   slow,         ///< that fall, but more slowly
   oscillating,  ///< that fall and change their sign: a limit, but no order
@@ -30,10 +30,11 @@ inline constexpr double highest_order = 2.0;
 /// Of one number; NaN stands for what cannot be said.
 struct Convergence {
   Tendency tendency = Tendency::unknown;
-  std::vector<double> orders;  ///< observed, of each three neighbouring levels from the coarsest on: shape n - 2, or empty
-  double value;                ///< the best estimate: Richardson's where convergent or slow, else the finest level's
-  double uncertainty;          ///< half width of where the limit is expected about the value on the finest level (GCI)
-  double error;                ///< |finest level's value - value|
+  std::vector<double>
+      orders;          ///< observed, of each three neighbouring levels from the coarsest on: shape n - 2, or empty
+  double value;        ///< the best estimate: Richardson's where convergent or slow, else the finest level's
+  double uncertainty;  ///< half width of where the limit is expected about the value on the finest level (GCI)
+  double error;        ///< |finest level's value - value|
 };
 
 /// `values`: from the coarsest to the finest level, cells smaller by `ratio` (> 1) each time. `resolution`: differences

@@ -29,6 +29,7 @@ talus_test(unit steady_profile_answers ROOMS steady)
 talus_test(unit diagnostics_norms ROOMS diagnostics)
 talus_test(unit diagnostics_heap_shape ROOMS diagnostics)
 talus_test(unit diagnostics_ill_posedness ROOMS diagnostics)
+talus_test(unit diagnostics_flow_class ROOMS diagnostics)
 # Debian's own Python first: it has the packages, another one on the PATH may not.
 find_program(TALUS_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(TALUS_PYTHON python3 REQUIRED)

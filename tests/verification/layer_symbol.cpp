@@ -10,6 +10,9 @@
 #include "rheology/well_posedness.hpp"
 #include "support/layer_cases.hpp"
 #include "support/table.hpp"
+#include "symbol/growth_map.hpp"
+#include "symbol/sheared_layer.hpp"
+#include "symbol/staggered_symbol.hpp"
 
 /// The Fourier symbol of the layer's operator about frozen uniform shear, from its exact Jacobian: growth rates of plane waves
 /// against the closed form of linear theory, without convection, which that leaves out.
@@ -17,104 +20,9 @@ namespace {
 
 using namespace talus;
 using Complex = std::complex<double>;
-using core::Index;
+using symbol::ShearedLayer;
 
 constexpr double pi = std::numbers::pi;
-constexpr double pressure = 100.0;  // [Pa]
-
-/// Amplitudes of the rows (momentum along, momentum across, continuity) that plane waves of (u, omega, p) leave, each of unit
-/// amplitude at its own place of the staggered grid.
-using Matrix = std::array<std::array<Complex, 3>, 3>;
-
-/// A weightless layer in uniform shear at inertial number I. Rows are read in its middle, where the stencils see neither base nor
-/// surface nor ends.
-class ShearedLayer {
- public:
-  /// Cells are h [m] wide and high.
-  ShearedLayer(const rheology::Law& law, double I, double h)
-      : layer_(parameters(law, h)), h_(h), shear_(I * std::sqrt(pressure / grains().rho_star) / grains().d) {
-    const auto& at = layer_.unknowns();
-    std::vector<double> y(layer_.layout().size(), 0.0);
-    const std::vector<double> yp(y);
-    for (int i = 0; i < n_columns; ++i) {
-      for (int k = 0; k < n_layers; ++k) {
-        y.at(at.u(i, k)) = shear_ * h * (k - middle);
-        y.at(at.p(i, k)) = pressure;
-      }
-      y.at(at.H(i)) = h * n_layers;
-    }
-    const auto& pattern = layer_.pattern();
-    std::vector<double> stiffness(pattern.n_nonzeros()), both(stiffness);
-    layer_.jacobian(0.0, y, yp, 0.0, stiffness);
-    layer_.jacobian(0.0, y, yp, 1.0, both);
-    const std::array<Index, 3> rows{at.momentum_u(column, middle), at.momentum_w(column, middle),
-                                    at.continuity(column, middle)};
-    const auto read = [&](int field, Index unknown, double x, double z) {
-      for (int row = 0; row < 3; ++row) {
-        const Index e = pattern.find(rows[row], unknown);
-        if (e >= 0)
-          entries_.push_back(
-              {row, field, x - places[row][0], z - places[row][1], stiffness[e], both[e] - stiffness[e]});
-      }
-    };
-    for (int i = 0; i < n_columns; ++i) {
-      for (int k = 0; k < n_layers; ++k) {
-        read(0, at.u(i, k), i, k + 0.5);
-        read(1, at.omega(i, k + 1), i + 0.5, k + 1);
-        read(2, at.p(i, k), i + 0.5, k + 0.5);
-      }
-    }
-  }
-
-  [[nodiscard]] double shear() const { return shear_; }
-  [[nodiscard]] static rheology::Grains grains() { return tests::table_2_grains(); }
-
-  /// Growth rate [1/s] of the one mode without divergence of the wave (kx, kz) [1/m].
-  [[nodiscard]] Complex growth(double kx, double kz) const {
-    Matrix A{}, M{};
-    for (const auto& e : entries_) {
-      const Complex wave = std::exp(Complex(0.0, (kx * e.x + kz * e.z) * h_));
-      A[e.row][e.field] += e.stiffness * wave;
-      M[e.row][e.field] += e.mass * wave;
-    }
-    const std::array<Complex, 2> flow{A[2][1], -A[2][0]};  // no divergence
-    const std::array<Complex, 2> rows{A[1][2], -A[0][2]};  // no pressure
-    Complex force = 0.0, inertia = 0.0;
-    for (int r = 0; r < 2; ++r) {
-      for (int c = 0; c < 2; ++c) {
-        force += rows[r] * A[r][c] * flow[c];
-        inertia += rows[r] * M[r][c] * flow[c];
-      }
-    }
-    return -force / inertia;
-  }
-
- private:
-  static constexpr int n_columns = 9, n_layers = 9, column = 4, middle = 4;
-  /// Where the rows stand, in cells.
-  static constexpr std::array<std::array<double, 2>, 3> places{
-      {{column, middle + 0.5}, {column + 0.5, middle}, {column + 0.5, middle + 0.5}}};
-
-  /// One entry of the Jacobian, at its distance from its row in cells.
-  struct Entry {
-    int row, field;
-    double x, z, stiffness, mass;
-  };
-
-  static layer::Parameters parameters(const rheology::Law& law, double h) {
-    auto par = tests::periodic_layer(n_columns * h, n_layers * h, 0.0, n_columns, n_layers);
-    par.law = law;
-    par.box.gravity = 0.0;
-    par.numerics.advection = layer::Advection::none;
-    par.numerics.film = 1e-3 * h;
-    par.grid.cluster_depth = 1e6 * n_layers * h;
-    return par;
-  }
-
-  layer::Layer layer_;
-  double h_, shear_;
-  std::vector<Entry> entries_;
-};
 
 const std::vector<std::pair<std::string, rheology::Law>>& laws() {
   static const std::vector<std::pair<std::string, rheology::Law>> list{
@@ -125,7 +33,7 @@ const std::vector<std::pair<std::string, rheology::Law>>& laws() {
 
 /// (eta k^2/rho) over the shear rate.
 double scale(const rheology::Law& law, double I, double k) {
-  return rheology::growth_scale(ShearedLayer::grains(), rheology::response(law, I), I, k);
+  return rheology::growth_scale(tests::table_2_grains(), rheology::response(law, I), I, k);
 }
 
 TEST(LayerSymbol, ConvergesToTheClosedFormAtSecondOrder) {
@@ -137,12 +45,12 @@ TEST(LayerSymbol, ConvergesToTheClosedFormAtSecondOrder) {
       std::vector<double> h, e;
       for (const int cells : {8, 16, 32, 64}) {
         h.push_back(wavelength / cells);
-        const ShearedLayer flow(law, I, h.back());
+        const ShearedLayer flow(tests::table_2_grains(), law, I, h.back());
         double squares = 0.0;
         int directions = 0;
         for (int degrees = -60; degrees <= 60; degrees += 15, ++directions) {
           const double angle = degrees * pi / 180.0;
-          const Complex sigma = flow.growth(kx, kx * std::tan(angle)) / flow.shear();
+          const Complex sigma = flow.growth(kx * h.back(), kx * std::tan(angle) * h.back()) / flow.shear();
           const double exact = rheology::growth(response, std::sin(2.0 * angle));
           squares += std::norm(sigma / scale(law, I, kx / std::cos(angle)) - exact);
         }
@@ -163,30 +71,85 @@ TEST(LayerSymbol, GrowsWhereTheLawIsIllPosedAndDecaysWhereItIsNot) {
   for (const auto& [name, law] : laws()) {
     for (const double I : {1e-3, 2e-3, 0.02, 0.1, 0.5, 1.0, 20.0}) {
       const auto response = rheology::response(law, I);
-      const ShearedLayer flow(law, I, h);
+      const ShearedLayer flow(tests::table_2_grains(), law, I, h);
       const double kx = 2.0 * pi / (cells * h);
       double most = -1e300, exact = -1e300, at = 0.0;
       for (int n = 1; n <= 3000; ++n) {  // fine enough for the narrow growing band below the pole where q > 1
         const double degrees = 0.02 * n, angle = degrees * pi / 180.0;
         const double sigma =
-            flow.growth(kx, kx * std::tan(angle)).real() / flow.shear() / scale(law, I, kx / std::cos(angle));
+            flow.growth(kx * h, kx * std::tan(angle) * h).real() / flow.shear() / scale(law, I, kx / std::cos(angle));
         if (sigma > most) at = degrees;
         most = std::max(most, sigma);
         exact = std::max(exact, rheology::growth(response, std::sin(2.0 * angle)));
       }
-      double anywhere = -1e300;
-      for (int m = 1; m < cells / 2; ++m) {
-        for (int n = -31; n <= 31; ++n) {
-          const Complex sigma = flow.growth(m * kx, n * pi / 32.0 / h) / flow.shear() / scale(law, I, 1.0 / h);
-          anywhere = std::max(anywhere, sigma.real());
-        }
-      }
+      const auto waves =
+          symbol::fastest_waves([&](double x, double z) { return flow.growth(x, z).real(); }, std::vector<int>{cells});
+      const double anywhere = waves.back().growth / flow.shear() / scale(law, I, 1.0 / h);
       table.row({name, I, most, exact, at, anywhere});
       EXPECT_EQ(most > 0.0, rheology::max_growth(response) > 0.0) << name << ", I " << I;
       EXPECT_EQ(exact > 0.0, rheology::max_growth(response) > 0.0) << name << ", I " << I;
       EXPECT_EQ(anywhere > 0.0, rheology::max_growth(response) > 0.0) << name << ", I " << I;
     }
   }
+}
+
+/// The textbook grid: long waves follow the closed form at second order with either viscosity, and direct viscosity grows where the law
+/// is ill-posed; the average of cells hides it from the grid's shortest waves.
+TEST(StaggeredSymbol, ConvergesToTheClosedFormAtSecondOrder) {
+  using symbol::CornerViscosity;
+  for (const auto& [name, law] : laws()) {
+    for (const double I : {1e-3, 0.1, 1.0}) {
+      const auto response = rheology::response(law, I);
+      for (const auto viscosity : {CornerViscosity::direct, CornerViscosity::averaged}) {
+        std::vector<double> h, e;
+        for (const int cells : {16, 32, 64}) {
+          const double phase = 2.0 * pi / cells;
+          double squares = 0.0;
+          for (int degrees = -60; degrees <= 60; degrees += 15) {
+            const double angle = degrees * pi / 180.0, phase_z = phase * std::tan(angle);
+            const double square = phase * phase / std::pow(std::cos(angle), 2);
+            squares += std::pow(symbol::staggered_growth(response, viscosity, phase, phase_z) / square -
+                                    rheology::growth(response, std::sin(2.0 * angle)),
+                                2);
+          }
+          h.push_back(1.0 / cells);
+          e.push_back(std::sqrt(squares / 9.0));
+        }
+        EXPECT_NEAR(diagnostics::observed_orders(h, e).back(), 2.0, 0.1) << name << ", I " << I;
+        EXPECT_LT(e.back(), 0.02) << name << ", I " << I;
+      }
+    }
+  }
+}
+
+TEST(StaggeredSymbol, AveragesHideWhatShortWavesWouldShow) {
+  using symbol::CornerViscosity;
+  const auto response = rheology::response(laws().front().second, 1e-3);
+  const std::vector<int> sizes{16, 64};
+  std::array<std::vector<symbol::FastestWave>, 2> fastest;
+  for (const auto viscosity : {CornerViscosity::direct, CornerViscosity::averaged})
+    fastest.at(static_cast<std::size_t>(viscosity)) = symbol::fastest_waves(
+        [&](double x, double z) { return symbol::staggered_growth(response, viscosity, x, z); }, sizes);
+  ASSERT_GT(rheology::max_growth(response), 0.0);
+  EXPECT_GT(fastest[0][0].growth, 0.0) << "direct, 16 cells";
+  EXPECT_GT(fastest[0][1].growth, 0.0) << "direct, 64 cells";
+  EXPECT_LT(fastest[1][0].growth, 0.0) << "averaged, 16 cells: hidden";
+  EXPECT_LT(fastest[1][1].growth, 0.1 * fastest[0][1].growth) << "averaged, 64 cells";
+}
+
+TEST(FastestWaves, LooksAtEachWaveOfEachGrid) {
+  const std::vector<int> sizes{2, 8};
+  std::vector<std::pair<double, double>> seen;
+  const auto record = [&](double x, double z) {
+    seen.emplace_back(x, z);
+    return std::abs(x - 0.5 * pi) + std::abs(z - 0.25 * pi) < 1e-12 ? 1.0 : -x;
+  };
+  const auto fastest = symbol::fastest_waves(record, sizes);
+  EXPECT_EQ(seen.size(), 4U * 8U);
+  EXPECT_EQ(fastest[1].growth, 1.0);
+  EXPECT_NEAR(fastest[1].phase_x, 0.5 * pi, 1e-12);
+  EXPECT_NEAR(fastest[0].growth, -pi, 1e-12) << "of two cells there is one wave length";
+  EXPECT_THROW((void)symbol::fastest_waves(record, std::vector<int>{12}), std::invalid_argument);
 }
 
 }  // namespace
