@@ -1,7 +1,9 @@
 #include "symbol/sheared_layer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "layer/layer.hpp"
@@ -86,6 +88,7 @@ ShearedLayer::ShearedLayer(const rheology::Grains& grains, const rheology::Law& 
       read(2, at.p(i, k), 2 * i + 1, 2 * k + 1);
     }
   }
+  for (const auto& e : entries_) mass_ = std::max(mass_, std::abs(e.mass));
 }
 
 Complex ShearedLayer::growth(double phase_x, double phase_z) const {
@@ -99,12 +102,16 @@ Complex ShearedLayer::growth(double phase_x, double phase_z) const {
   const std::array<Complex, 2> flow{A[2][1], -A[2][0]};  // no divergence
   const std::array<Complex, 2> rows{A[1][2], -A[0][2]};  // no pressure
   Complex force = 0.0, inertia = 0.0;
+  double size = 0.0;
   for (int r = 0; r < 2; ++r) {
     for (int c = 0; c < 2; ++c) {
       force += rows.at(r) * A.at(r).at(c) * flow.at(c);
       inertia += rows.at(r) * M.at(r).at(c) * flow.at(c);
+      size += std::abs(rows.at(r)) * std::abs(flow.at(c));
     }
   }
+  constexpr double rounding = 1e-13;
+  if (std::abs(inertia) <= rounding * size * mass_) return std::numeric_limits<double>::quiet_NaN();
   return -force / inertia;
 }
 

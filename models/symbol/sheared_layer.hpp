@@ -22,6 +22,7 @@ class ShearedLayer {
   /// [1/s]
   [[nodiscard]] double shear() const { return shear_; }
   /// Growth rate [1/s] of the one mode without divergence of a wave, by its phase advances from cell to cell, k_x h and k_z h [rad].
+  /// NaN where that mode has no inertia on this grid, as at (pi, 0): it follows at once and neither grows nor decays.
   [[nodiscard]] Complex growth(double phase_x, double phase_z) const;
 
  private:
@@ -31,6 +32,7 @@ class ShearedLayer {
     double stiffness, mass;
   };
   double shear_;
+  double mass_ = 0.0;  ///< largest entry of dF/dy'
   std::vector<Entry> entries_;
 };
 
