@@ -25,6 +25,7 @@ inline const std::vector<Family>& families() {
       {"CLI11", R"(CLI/.*)", "CLI11::.*", "src/app/"},
       {"spdlog", R"((spdlog|fmt)/.*)", "spdlog::.*", "src/app/"},
       {"JSON", R"(nlohmann/.*)", "nlohmann_json::.*", "src/"},
+      {"Spectra", R"(Spectra/.*)", "Spectra::.*", "integrators/"},
       {"Eigen", R"((unsupported/)?Eigen/.*)", "Eigen3::Eigen", ""},
       {"POSIX", R"((sys/.*|unistd|fcntl|signal|poll|spawn)\.h)", "", "src/"},
   };
