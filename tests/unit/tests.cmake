@@ -44,3 +44,4 @@ talus_test(unit ida_stock_klu ROOMS core linear bridge ida LIBRARIES sundials_su
 target_include_directories(test_ida_stock_klu PRIVATE ${TALUS_SUITESPARSE})
 talus_test(unit kinsol_solutions ROOMS core linear bridge ida kinsol)
 talus_test(unit kinsol_failures ROOMS core linear bridge kinsol)
+talus_test(unit modes_leading ROOMS core linear modes)
