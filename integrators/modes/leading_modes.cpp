@@ -105,7 +105,8 @@ class Search {
     Spectra::GenEigsSolver<Inverted> solver(inverted, n_modes, std::max(n_vectors, std::min(n_modes + 3, n)));
     const Vector first = start(inverted);
     solver.init(first.data());
-    const auto n_found = static_cast<int>(solver.compute(Spectra::SortRule::LargestMagn, options_.max_restarts, options_.tolerance));
+    const auto n_found =
+        static_cast<int>(solver.compute(Spectra::SortRule::LargestMagn, options_.max_restarts, options_.tolerance));
     double radius = 0.0;
     const ComplexVector inverses = solver.eigenvalues();
     const Eigen::MatrixXcd shapes = solver.eigenvectors();

@@ -15,19 +15,26 @@ namespace {
 using Matrix = Eigen::MatrixXcd;
 
 /// So many of the fastest growing are refined: next to a rate far from the shift, digits of a slow one are lost.
-constexpr std::size_t n_refined = 8;
+constexpr std::size_t n_refined = 3;
 /// Directions that shrink below this share of the largest are those of constraints, or decay beyond interest.
-constexpr double smallest_direction = 1e-10;
+constexpr double smallest_direction = 1e-8;
+/// What leaves more than this share of its equation is no mode, but a constraint's zero, rounded and inverted.
+constexpr double largest_residual = 1e-6;
+/// Unknowns that have a rate somewhere: the columns of M that are not empty.
+std::vector<Eigen::Index> differential(const Matrix& M) {
+  std::vector<Eigen::Index> all;
+  for (Eigen::Index c = 0; c < M.cols(); ++c)
+    if (M.col(c).cwiseAbs().maxCoeff() > 0.0) all.push_back(c);
+  return all;
+}
+
 /// The stiffest rate that the unknowns with a rate show among each other [1/s].
 double stiffest(const Matrix& A, const Matrix& M) {
+  const auto unknowns = differential(M);
   double rate = 0.0;
   for (Eigen::Index r = 0; r < M.rows(); ++r) {
-    double inertia = 0.0, force = 0.0;
-    for (Eigen::Index c = 0; c < M.cols(); ++c) {
-      inertia += std::abs(M(r, c));
-      if (M.col(c).cwiseAbs().maxCoeff() > 0.0) force += std::abs(A(r, c));
-    }
-    if (inertia > 0.0) rate = std::max(rate, force / inertia);
+    const double inertia = M.row(r).cwiseAbs().sum();
+    if (inertia > 0.0) rate = std::max(rate, A(r, unknowns).cwiseAbs().sum() / inertia);
   }
   return rate > 0.0 ? rate : 1.0;
 }
@@ -35,14 +42,6 @@ double stiffest(const Matrix& A, const Matrix& M) {
 double residual(const Matrix& A, const Matrix& M, Complex rate, const Eigen::VectorXcd& v) {
   const double terms = (A.cwiseAbs() * v.cwiseAbs() + std::abs(rate) * (M.cwiseAbs() * v.cwiseAbs())).norm();
   return (A * v + rate * (M * v)).norm() / terms;
-}
-
-/// Unknowns that have a rate somewhere: the columns of M that are not empty.
-std::vector<Eigen::Index> differential(const Matrix& M) {
-  std::vector<Eigen::Index> all;
-  for (Eigen::Index c = 0; c < M.cols(); ++c)
-    if (M.col(c).cwiseAbs().maxCoeff() > 0.0) all.push_back(c);
-  return all;
 }
 
 /// By B = (A + s M)^-1 M, whose eigenvalues are 1/(s - rate), with s the stiffest rate: on the differential unknowns alone, where the zeros
@@ -62,7 +61,8 @@ std::vector<Mode> by_shift(const Matrix& A, const Matrix& M) {
     const Complex inverse = solver.eigenvalues()[i];
     const Complex rate = shift - 1.0 / inverse;
     const Eigen::VectorXcd v = (all * (basis * solver.eigenvectors().col(i)) / inverse).normalized();
-    modes.push_back({rate, std::vector<Complex>(v.begin(), v.end()), residual(A, M, rate, v)});
+    const double left = residual(A, M, rate, v);
+    if (left < largest_residual) modes.push_back({rate, std::vector<Complex>(v.begin(), v.end()), left});
   }
   return modes;
 }
@@ -92,11 +92,13 @@ void sort(std::vector<Mode>& modes) {
 PlaneWaves::PlaneWaves(const core::DaeSystem& system, double t, std::span<const double> y, core::Index n_blocks)
     : size_(n_blocks > 0 ? system.layout().size() / n_blocks : 0) {
   const core::Index n = system.layout().size();
-  if (n_blocks < 1 || n % n_blocks != 0) throw std::invalid_argument("plane waves: the unknowns are not so many blocks");
+  if (n_blocks < 1 || n % n_blocks != 0)
+    throw std::invalid_argument("plane waves: the unknowns are not so many blocks");
   const auto [stiffness, mass] = jacobians(system, t, y);
   const auto& pattern = system.pattern();
   const core::Index block = n_blocks / 2;
-  const auto add = [&](std::map<int, Eigen::MatrixXd>& parts, int distance, core::Index r, core::Index c, double value) {
+  const auto add = [&](std::map<int, Eigen::MatrixXd>& parts, int distance, core::Index r, core::Index c,
+                       double value) {
     if (value == 0.0) return;
     auto& part = parts[distance];
     if (part.size() == 0) part.setZero(size_, size_);

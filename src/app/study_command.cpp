@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/study_converge.hpp"
+#include "app/study_wellposed.hpp"
 
 namespace talus::app {
 namespace {
@@ -40,12 +41,43 @@ void add_converge(CLI::App& study, const std::string& typed, int& code) {
   command->callback([request, &code] { code = study_converge(*request); });
 }
 
+void add_wellposed(CLI::App& study, const std::string& typed, int& code) {
+  const auto request = std::make_shared<WellposedRequest>();
+  request->command = typed;
+  auto* command =
+      study.add_subcommand("wellposed", "is the scene's model well-posed on grids, and is its steady state stable?");
+  add_scene(*command, request->scene_file, request->overrides);
+  command
+      ->add_option(
+          "--parts", request->parts,
+          "symbol: growth of plane waves in uniform shear over I and grids; modes: of the discrete steady state")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"symbol", "modes"}));
+  command->add_option("--I", request->I, "inertial numbers of the symbol; default 1e-6:1e4:x41")->type_name("LIST");
+  command->add_option("--cells", request->most_cells,
+                      "cells a side of the symbol's finest grid, a power of 2; default 1024");
+  command->add_option("--waves", request->waves, "wavelengths of a uniform layer's modes; default 32")
+      ->check(CLI::Range(2, 1000));
+  command->add_option("--jobs", request->jobs, "runs at a time; default one on each core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--out", request->out, "folder of the study; default out/<scene.name>_wellposed")
+      ->type_name("DIR");
+  command->add_flag("--force", request->force, "run again what was run of another scene");
+  command->footer(
+      "A periodic scene's steady state is a uniform layer, whose modes are plane waves; another's is sought from the "
+      "end of its inflow.\n"
+      "Leaves study.nc, verdict.json and study.png. The exit code is 0 whatever the verdict.");
+  command->callback([request, &code] { code = study_wellposed(*request); });
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& program, const std::string& command, int& code) {
   auto* study = program.add_subcommand("study", "many runs of a scene that answer one question");
   study->require_subcommand(1);
   add_converge(*study, command, code);
+  add_wellposed(*study, command, code);
 }
 
 }  // namespace talus::app

@@ -88,7 +88,8 @@ TEST(LeadingModes, FindTheFastestOfAllWavesAndSayHowFarTheyLooked) {
   constexpr int n = 40;
   const Ring ring(n, 0.3, 2.0, 0.5);
   const std::vector<double> y(3 * n, 0.0);
-  const auto found = modes::leading_modes(ring, 0.0, y, {.shifts = {0.5, 2.0}, .n_modes = 9, .n_vectors = 30, .linear = {}});
+  const auto found =
+      modes::leading_modes(ring, 0.0, y, {.shifts = {0.5, 2.0}, .n_modes = 9, .n_vectors = 30, .linear = {}});
   ASSERT_GE(found.modes.size(), 9U);
   EXPECT_LT(std::abs(found.modes[0].rate - ring.rate(0.0)), 1e-8);
   for (int pair = 1; pair <= 3; ++pair) {
@@ -112,8 +113,9 @@ TEST(LeadingModes, RefuseOptionsWithoutSense) {
   const Ring ring(7, 0.3, 2.0, 5.0);
   const std::vector<double> y(21, 0.0);
   EXPECT_THROW((void)modes::leading_modes(ring, 0.0, y, {}), std::invalid_argument);
-  EXPECT_THROW((void)modes::leading_modes(ring, 0.0, y, {.shifts = {1.0}, .n_modes = 10, .n_vectors = 11, .linear = {}}),
-               std::invalid_argument);
+  EXPECT_THROW(
+      (void)modes::leading_modes(ring, 0.0, y, {.shifts = {1.0}, .n_modes = 10, .n_vectors = 11, .linear = {}}),
+      std::invalid_argument);
 }
 
 }  // namespace

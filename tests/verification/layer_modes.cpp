@@ -55,7 +55,12 @@ double couette(const json& data, const json& row, int layers) {
   par.box.lid = experiment::Lid{.speed = 1.0, .pressure = pressure};
   const layer::Layer system(par);
   auto y = tests::state_at_rest(system);
-  tests::set_flow(system, [&](double, double z, double) { return tests::PointFlow{z, 0.0, pressure}; }, 0.0, y);
+  tests::set_flow(
+      system,
+      [&](double, double z, double) {
+        return tests::PointFlow{z, 0.0, pressure};
+      },
+      0.0, y);
   std::vector<double> r(y.size()), still(y.size(), 0.0);
   system.residual(0.0, y, still, r);
   for (const double left : r) EXPECT_LT(std::abs(left), 1e-9 * pressure) << "simple shear is steady on any grid";
@@ -76,8 +81,11 @@ double bagnold(const json& data, const json& row, int layers) {
   const layer::Layer system(par);
   auto y = tests::state_at_rest(system);
   tests::set_flow(
-      system, [&](double, double z, double) { return tests::PointFlow{exact->speed(z - h), 0.0, pressure(z)}; }, 0.0,
-      y);
+      system,
+      [&](double, double z, double) {
+        return tests::PointFlow{exact->speed(z - h), 0.0, pressure(z)};
+      },
+      0.0, y);
   kinsol::Options options;
   options.rtol = 1e-8;
   kinsol::Kinsol steady(system, options);
@@ -98,7 +106,8 @@ bool needs_fine_grid(const json& row) {
 }
 
 template <class Rate>
-void compare(const char* name, const json& rows, const char* wave_number, int layers, bool fine_rows, const Rate& rate) {
+void compare(const char* name, const json& rows, const char* wave_number, int layers, bool fine_rows,
+             const Rate& rate) {
   tests::Table table(name, {"law", "I", "k", "exact", "coarse", "fine", "extrapolated", "off %"});
   for (const auto& row : rows) {
     if (needs_fine_grid(row) != fine_rows) continue;
