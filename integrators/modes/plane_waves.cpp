@@ -18,8 +18,9 @@ using Matrix = Eigen::MatrixXcd;
 constexpr std::size_t n_refined = 3;
 /// Directions that shrink below this share of the largest are those of constraints, or decay beyond interest.
 constexpr double smallest_direction = 1e-8;
-/// What leaves more than this share of its equation is no mode, but a constraint's zero, rounded and inverted.
-constexpr double largest_residual = 1e-6;
+/// What leaves more than this share of its equation is no mode, but a constraint's zero, rounded and inverted: before it is refined, and
+/// after.
+constexpr double largest_residual = 1e-3, largest_refined_residual = 1e-7;
 /// Unknowns that have a rate somewhere: the columns of M that are not empty.
 std::vector<Eigen::Index> differential(const Matrix& M) {
   std::vector<Eigen::Index> all;
@@ -127,7 +128,11 @@ std::vector<Mode> PlaneWaves::modes(double phase) const {
   const Matrix A = wave(stiffness_, phase), M = wave(mass_, phase);
   auto modes = by_shift(A, M);
   sort(modes);
-  for (std::size_t i = 0; i < std::min(n_refined, modes.size()); ++i) modes[i] = refined(A, M, modes[i]);
+  for (std::size_t i = 0; i < std::min(n_refined, modes.size());) {
+    modes[i] = refined(A, M, modes[i]);
+    if (modes[i].residual < largest_refined_residual) ++i;
+    else modes.erase(modes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   sort(modes);
   return modes;
 }

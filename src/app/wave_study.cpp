@@ -23,6 +23,8 @@ using Complex = std::complex<double>;
 
 constexpr int n_columns = 9;  // rows reach four columns at most: neighbours can be told apart
 constexpr double longest = 200.0, shortest_roll_wave = 20.0;  // in thicknesses
+/// In columns. A wave of two has no inertia across layers on this grid: symbol::ShearedLayer::growth.
+constexpr double fewest_columns = 3.0;
 constexpr double pi = std::numbers::pi;
 
 void check(const Scene& scene) {
@@ -158,7 +160,7 @@ WaveStudy wave_study(const Scene& scene, int n_waves) {
                   steady.speeds(),
                   steady.residual(),
                   {}};
-  const double from = std::max(longest * H, 4.0 * dx), to = 2.0 * dx;
+  const double from = std::max(longest * H, 4.0 * dx), to = fewest_columns * dx;
   for (int i = 0; i < n_waves; ++i)
     study.waves.push_back(mode_of(steady, waves, from * std::pow(to / from, double(i) / (n_waves - 1))));
   return study;

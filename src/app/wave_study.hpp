@@ -40,7 +40,7 @@ struct RollWaves {
 };
 
 /// Throws core::ConfigError for a scene that is not periodic, of another model than layer or column, or that has no steady state at its slope;
-/// core::IntegrationError where it is not found. Modes of `n_waves` wavelengths between 200 thicknesses and two columns.
+/// core::IntegrationError where it is not found. Modes of `n_waves` wavelengths between 200 thicknesses and three columns.
 WaveStudy wave_study(const Scene& scene, int n_waves);
 
 /// The lowest slope between the scene's own and the angle of its friction at rest above which waves of 20 to 200 thicknesses grow; none where
