@@ -81,6 +81,7 @@ SymbolStudy symbol_study(const Scene& scene, const std::vector<double>& I, const
     study.condition.push_back(rheology::condition_C(response));
     study.q.push_back(response.q);
     const double per_square = rheology::growth_scale(scene.grains, response, each, 1.0);
+    for (const int n : sizes) study.unit.push_back(per_square * std::pow(n / study.length, 2));
     const symbol::ShearedLayer flow(scene.grains, scene.law, each, 1.0);
     append(study.layer,
            symbol::fastest_waves(
@@ -177,6 +178,8 @@ void add_to(output::Table& table, const SymbolStudy& study) {
                              "largest growth over eta k^2/rho, closed form; infinite where q >= 1", study.closed});
   table.variables.push_back({"symbol_C", along, "1", "C of (3.18)", study.condition});
   table.variables.push_back({"symbol_q", along, "1", "mu - I mu'/2", study.q});
+  table.variables.push_back(
+      {"symbol_scale", over, "1", "eta/(rho h^2) over the shear rate, h the cells' size", study.unit});
   const auto map = [&](const std::string& name, const std::vector<FastestWave>& waves, const std::string& words) {
     std::vector<double> growth, x, z;
     for (const auto& wave : waves) {

@@ -17,9 +17,10 @@ struct SymbolStudy {
   double length;           ///< of the square that they part [m]: the depth that flows, or the layer's thickness
   /// Fastest waves over the shear rate, shape (I, size): of the layer, of the textbook staggered grid with direct and with averaged viscosity.
   std::vector<symbol::FastestWave> layer, direct, averaged;
-  std::vector<double> closed;                          ///< rheology::max_growth at each I, over eta k^2/rho
-  std::vector<double> condition;                       ///< C of (3.18)
-  std::vector<double> q;                               ///< mu - I mu'/2
+  std::vector<double> unit;       ///< eta/(rho h^2) over the shear rate, shape (I, size): what growth is counted in
+  std::vector<double> closed;     ///< rheology::max_growth at each I, over eta k^2/rho
+  std::vector<double> condition;  ///< C of (3.18)
+  std::vector<double> q;          ///< mu - I mu'/2
   std::vector<std::vector<double>> damped_from_to;     ///< ranges of I in which no wave grows, by the linear theory
   std::vector<std::vector<double>> condition_from_to;  ///< and in which C is not positive
 

@@ -3,8 +3,9 @@
 import netCDF4
 
 import converge_page
+import wellposed_page
 
-PAGES = {"converge": converge_page.draw}
+PAGES = {"converge": converge_page.draw, "wellposed": wellposed_page.draw}
 
 
 def draw(folder, out):

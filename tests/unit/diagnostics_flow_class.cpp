@@ -1,8 +1,9 @@
-#include "diagnostics/flow_class.hpp"
+#include "diagnostics/flow_shares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace {
@@ -53,5 +54,20 @@ TEST(FlowClass, SharesAreOfTheWeight) {
   EXPECT_THROW((void)diagnostics::class_shares(classes, std::vector<double>{1.0}), std::invalid_argument);
   EXPECT_THROW((void)diagnostics::class_shares(classes, std::vector<double>{1.0, 1.0, 1.0, 1.0, std::nan("")}),
                std::invalid_argument);
+}
+
+TEST(FlowShares, SharesOfFluxWeighTheSpeedAndNamesAreOfTheirClass) {
+  const std::vector<diagnostics::FlowCell> cells{{0.5, FlowClass::well_posed, 3.0, 1.0},
+                                                 {2.0, FlowClass::ill_posed, 1.0, 2.0},
+                                                 {std::nan(""), FlowClass::capped, 0.0, std::nan("")}};
+  const auto shares = diagnostics::flow_shares(partial, cells);
+  std::map<std::string, double> named;
+  for (const auto& number : diagnostics::share_numbers()) named[number.name] = number.value(shares);
+  EXPECT_DOUBLE_EQ(named.at("class_well_posed_area"), 0.75);
+  EXPECT_DOUBLE_EQ(named.at("class_well_posed_flux"), 0.6);
+  EXPECT_DOUBLE_EQ(named.at("class_ill_posed_area"), 0.25);
+  EXPECT_DOUBLE_EQ(named.at("class_ill_posed_flux"), 0.4);
+  EXPECT_DOUBLE_EQ(named.at("class_capped_flux"), 0.0);
+  EXPECT_DOUBLE_EQ(named.at("growing_share"), 0.25);
 }
 }  // namespace
