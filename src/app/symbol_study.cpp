@@ -180,6 +180,18 @@ void add_to(output::Table& table, const SymbolStudy& study) {
   table.variables.push_back({"symbol_q", along, "1", "mu - I mu'/2", study.q});
   table.variables.push_back(
       {"symbol_scale", over, "1", "eta/(rho h^2) over the shear rate, h the cells' size", study.unit});
+  const auto bounds = [&](const std::string& name, const std::vector<std::vector<double>>& ranges, const char* words) {
+    std::vector<double> ends;
+    for (const auto& range : ranges)
+      for (const double end : range)
+        if (end > 0.0 && std::isfinite(end)) ends.push_back(end);
+    if (ends.empty()) return;
+    table.dimensions.emplace_back(name, ends.size());
+    table.variables.push_back({name, {name}, "1", words, ends});
+  };
+  bounds("symbol_C_bound", study.condition_from_to, "inertial numbers at which C of (3.18) changes its sign");
+  bounds("symbol_growth_bound", study.damped_from_to,
+         "inertial numbers at which short waves begin or cease to grow, by linear theory");
   const auto map = [&](const std::string& name, const std::vector<FastestWave>& waves, const std::string& words) {
     std::vector<double> growth, x, z;
     for (const auto& wave : waves) {

@@ -13,20 +13,12 @@ def filled(variable):
     return np.ma.filled(np.ma.masked_invalid(variable[:]), np.nan).astype(float)
 
 
-def changes(I, values):
-    """Inertial numbers between which a quantity changes its sign."""
-    where = np.nonzero(np.diff(np.sign(values)))[0]
-    return np.sqrt(I[where] * I[where + 1])
-
-
-def bounds(axes, data, I, vertical=True):
+def bounds(axes, data):
     """Where C of (3.18) changes its sign, and where short waves begin to grow by linear theory."""
-    line = axes.axvline if vertical else axes.axhline
-    for values, style, words in ((filled(data["symbol_C"]), "--", "C = 0, (3.18)"),
-                                 (np.where(filled(data["symbol_q"]) >= 1.0, 1.0, data["symbol_closed_form"][:]), "-",
-                                  "growth by linear theory")):
-        for i, place in enumerate(changes(I, values)):
-            line(place, color="black", linestyle=style, linewidth=1.2, label=words if i == 0 else None)
+    for name, style, words in (("symbol_C_bound", "--", "C = 0, (3.18)"), ("symbol_growth_bound", "-", "bound of linear theory")):
+        if name in data.variables:
+            for i, place in enumerate(filled(data[name])):
+                axes.axvline(place, color="black", linestyle=style, linewidth=1.1, label=words if i == 0 else None)
 
 
 def growth_map(figure, axes, data):
@@ -40,7 +32,7 @@ def growth_map(figure, axes, data):
     axes.set_yticks(cells, [str(n) for n in cells])
     axes.set_xlabel("inertial number I")
     axes.set_ylabel("cells a side")
-    bounds(axes, data, I)
+    bounds(axes, data)
     axes.legend(loc="upper center", ncols=2, frameon=True)
     figure.colorbar(mesh, ax=axes, label="fastest growth over the shear rate")
     look.label(axes, 0, "the layer's operator: red grows, blue decays")
@@ -59,7 +51,7 @@ def against_closed_form(axes, data):
         axes.plot(I, np.clip(value[:, -1], -1.2, 3.0), "o", color=colour, markersize=3.5, label=f"fastest wave of {cells[-1]} cells, {words}")
     axes.set_xscale("log")
     axes.axhline(0.0, color=look.FAINT, linewidth=0.8)
-    bounds(axes, data, I)
+    bounds(axes, data)
     axes.set_xlabel("inertial number I")
     axes.set_ylabel(r"growth over $\eta k^2/\rho$, cut at 3")
     axes.legend(loc="best", fontsize=8, frameon=True)
