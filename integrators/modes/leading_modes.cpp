@@ -108,28 +108,34 @@ class Search {
     const auto n_found =
         static_cast<int>(solver.compute(Spectra::SortRule::LargestMagn, options_.max_restarts, options_.tolerance));
     double radius = 0.0;
+    met_.assign(n_known_, false);
     const ComplexVector inverses = solver.eigenvalues();
     const Eigen::MatrixXcd shapes = solver.eigenvectors();
     for (int i = 0; i < n_found; ++i) {
       const Complex rate = shift - 1.0 / inverses[i];
       radius = std::max(radius, std::abs(rate - shift));
-      keep(rate, shapes.col(i));
+      keep(rate, shapes.col(i), std::abs(rate - shift));
     }
+    n_known_ = found_.modes.size();
     const bool complete = solver.info() == Spectra::CompInfo::Successful;
     found_.searched.push_back({shift, complete ? radius : 0.0, n_found});
   }
 
-  /// Of a mode found from two shifts the one that fits its equation better.
-  void keep(Complex rate, const ComplexVector& v) {
+  /// Of a mode found from two shifts the one that fits its equation better; modes of one rate about one shift are several. `distance`: of the
+  /// rate from the shift, whose digits it has.
+  void keep(Complex rate, const ComplexVector& v, double distance) {
     constexpr double alike = 1e-6;
     const ComplexVector left = stiffness_.times(v) + rate * mass_.times(v);
     const Vector terms = stiffness_.sizes(v) + std::abs(rate) * mass_.sizes(v);
     Mode mode{rate, std::vector<Complex>(v.begin(), v.end()), left.norm() / terms.norm()};
-    const auto twin = std::ranges::find_if(found_.modes, [&](const Mode& other) {
-      return std::abs(other.rate - rate) <= alike * std::max(std::abs(rate), std::abs(other.rate));
-    });
-    if (twin == found_.modes.end()) found_.modes.push_back(std::move(mode));
-    else if (mode.residual < twin->residual) *twin = std::move(mode);
+    for (std::size_t i = 0; i < n_known_; ++i) {
+      auto& other = found_.modes[i];
+      if (met_[i] || std::abs(other.rate - rate) > alike * distance) continue;
+      met_[i] = true;
+      if (mode.residual < other.residual) other = std::move(mode);
+      return;
+    }
+    found_.modes.push_back(std::move(mode));
   }
 
   const core::DaeSystem& system_;
@@ -137,6 +143,8 @@ class Search {
   Jacobians matrices_;
   Sparse stiffness_, mass_;
   LeadingModes found_;
+  std::size_t n_known_ = 0;  ///< modes found about earlier shifts
+  std::vector<bool> met_;    ///< of these, those found again
 };
 
 }  // namespace
