@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdio>
 
+#include "app/growth_study.hpp"
 #include "app/number_list.hpp"
 #include "app/plot.hpp"
 #include "app/steady_modes.hpp"
@@ -58,6 +59,14 @@ void wave_part(const WellposedRequest& request, const Scene& scene, Result& resu
   result.add(sentence_of(study, threshold));
 }
 
+void time_part(const WellposedRequest& request, const Scene& scene, const std::filesystem::path& folder,
+               Result& result) {
+  const auto study = growth_study(scene, request.levels, folder);
+  add_to(result.table, study);
+  result.json["time"] = json_of(study);
+  result.add(sentence_of(study));
+}
+
 /// False where a signal ended it.
 bool steady_part(const WellposedRequest& request, const Scene& scene, const std::filesystem::path& folder,
                  Result& result) {
@@ -73,8 +82,8 @@ bool steady_part(const WellposedRequest& request, const Scene& scene, const std:
 
 int study_wellposed(const WellposedRequest& request) {
   const Scene scene = read_scene(request.scene_file, request.overrides);
-  const auto wanted = [&](const char* part) {
-    return request.parts.empty() || std::ranges::find(request.parts, part) != request.parts.end();
+  const auto wanted = [&](const std::string& part) {
+    return (request.parts.empty() && part != "time") || std::ranges::find(request.parts, part) != request.parts.end();
   };
   const auto folder = request.out.value_or(std::filesystem::path("out") / (scene.name + "_wellposed"));
   std::error_code error;
@@ -88,6 +97,7 @@ int study_wellposed(const WellposedRequest& request) {
     if (scene.box.periodic) wave_part(request, scene, result);
     else if (!steady_part(request, scene, folder, result)) return static_cast<int>(core::ExitCode::restartable);
   }
+  if (wanted("time")) time_part(request, scene, folder, result);
   result.table.attributes = output::provenance_attributes({scene.effective, request.command, {}});
   result.table.attributes["Conventions"] = "CF-1.8";
   result.table.attributes["study"] = "wellposed";

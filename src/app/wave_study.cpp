@@ -6,13 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/column_model.hpp"
-#include "app/layer_model.hpp"
+#include "app/steady_layer.hpp"
 #include "app/table.hpp"
-#include "column/column.hpp"
 #include "core/errors.hpp"
-#include "kinsol/kinsol.hpp"
-#include "layer/layer.hpp"
 #include "modes/plane_waves.hpp"
 
 namespace talus::app {
@@ -26,79 +22,6 @@ constexpr double longest = 200.0, shortest_roll_wave = 20.0;  // in thicknesses
 /// In columns. A wave of two has no inertia across layers on this grid: symbol::ShearedLayer::growth.
 constexpr double fewest_columns = 3.0;
 constexpr double pi = std::numbers::pi;
-
-void check(const Scene& scene) {
-  if (scene.model != "layer" && scene.model != "column")
-    throw core::ConfigError("study wellposed: expected model.name = \"layer\" or \"column\", found \"" + scene.model +
-                            "\"");
-  if (!scene.box.periodic || scene.box.lid || scene.inflow.rate > 0.0 ||
-      scene.box.base != experiment::Contact::no_slip || scene.box.base_speed != 0.0 || scene.box.base_slope != 0.0)
-    throw core::ConfigError(
-        "study wellposed: modes of plane waves need a uniform layer: expected box.periodic = true, a free surface, no "
-        "inflow, and a base to "
-        "which grains stick, at rest and along x");
-}
-
-/// The layer's uniform steady state, on a ring of n_columns columns.
-class SteadyLayer {
- public:
-  explicit SteadyLayer(const Scene& scene) : column_(column_of(scene)), layer_(layer_of(scene)) {
-    core::Observer nobody;
-    kinsol::Options options;
-    options.rtol = std::min(scene.integration.rtol, 1e-8);
-    kinsol::Kinsol steady(column_, options);
-    const auto n = static_cast<std::size_t>(column_.layout().size());
-    steady.start(0.0, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0));
-    steady.advance(scene.end, nobody);
-    const auto now = steady.current();
-    u_.assign(now.y.begin(), now.y.end());
-    y_.resize(layer_.layout().size());
-    std::vector<double> still(y_.size()), left(y_.size());
-    layer_.initial_state(0.0, y_, still);
-    const auto& at = layer_.unknowns();
-    for (int f = 0; f < n_columns; ++f)
-      for (std::size_t k = 0; k < n; ++k) y_[at.u(f, static_cast<int>(k))] = u_[k];
-    layer_.residual(0.0, y_, still, left);
-    const double weight = layer_.parameters().grains.rho() * layer_.parameters().box.gravity *
-                          layer_.parameters().initial.thickness * layer_.columns().dx();
-    for (const double each : left) residual_ = std::max(residual_, std::abs(each) / weight);
-  }
-
-  [[nodiscard]] const layer::Layer& layer() const { return layer_; }
-  [[nodiscard]] const column::Column& column() const { return column_; }
-  [[nodiscard]] std::span<const double> state() const { return y_; }
-  [[nodiscard]] const std::vector<double>& speeds() const { return u_; }
-  [[nodiscard]] double residual() const { return residual_; }
-  [[nodiscard]] double thickness() const { return layer_.parameters().initial.thickness; }
-  [[nodiscard]] double froude() const {
-    double flow = 0.0;
-    for (std::size_t k = 0; k < u_.size(); ++k) flow += u_[k] * column_.heights().thickness(static_cast<int>(k));
-    const auto& box = layer_.parameters().box;
-    return flow / thickness() / std::sqrt(box.gravity * thickness() * std::cos(box.tilt));
-  }
-
- private:
-  static Scene still(Scene scene) {
-    scene.box = experiment::box_at(scene.box, scene.motion, scene.end);
-    scene.motion = {};
-    scene.initial.state = Initial::State::rest;
-    return scene;
-  }
-  static column::Parameters column_of(const Scene& scene) { return make_column_parameters(still(scene)); }
-  static layer::Parameters layer_of(const Scene& scene) {
-    auto par = make_layer_parameters(still(scene));
-    const double dx =
-        scene.cells.columns > 0 ? scene.box.length / scene.cells.columns : par.initial.thickness / par.grid.layers;
-    par.grid.columns = n_columns;
-    par.box.length = n_columns * dx;
-    return par;
-  }
-
-  column::Column column_;
-  layer::Layer layer_;
-  std::vector<double> u_, y_;
-  double residual_ = 0.0;
-};
 
 WaveMode mode_of(const SteadyLayer& steady, const modes::PlaneWaves& waves, double wavelength) {
   const auto& columns = steady.layer().columns();
@@ -129,7 +52,7 @@ struct LongWave {
 LongWave long_wave(Scene scene, double tilt) {
   scene.box.tilt = tilt;
   scene.motion = {};
-  const SteadyLayer steady(scene);
+  const SteadyLayer steady(scene, n_columns);
   const modes::PlaneWaves waves(steady.layer(), 0.0, steady.state(), n_columns);
   LongWave fastest{-1e300, 0.0, steady.froude()};
   for (double length = shortest_roll_wave; length <= longest * 1.001;
@@ -148,8 +71,7 @@ bool is_long(const WaveStudy& study, const WaveMode& wave) {
 }  // namespace
 
 WaveStudy wave_study(const Scene& scene, int n_waves) {
-  check(scene);
-  const SteadyLayer steady(scene);
+  const SteadyLayer steady(scene, n_columns);
   const modes::PlaneWaves waves(steady.layer(), 0.0, steady.state(), n_columns);
   const double dx = steady.layer().columns().dx(), H = steady.thickness();
   WaveStudy study{H,
@@ -167,7 +89,6 @@ WaveStudy wave_study(const Scene& scene, int n_waves) {
 }
 
 std::optional<RollWaves> roll_waves(const Scene& scene) {
-  check(scene);
   const double own = experiment::box_at(scene.box, scene.motion, scene.end).tilt;
   if (!(long_wave(scene, own).growth > 0.0)) return std::nullopt;
   constexpr int n_slopes = 12, n_halvings = 20;

@@ -135,12 +135,29 @@ def mode_field(figure, axes, data, number, mode):
     look.label(axes, number, f"mode {mode}: {filled(data['mode_growth'])[mode]:.3g} 1/s, {abs(filled(data['mode_frequency'])[mode]):.3g} rad/s")
 
 
+def noise(axes, data, number):
+    """The disturbance of each grid in units of its mode's time, and the rates."""
+    for i, colour in enumerate(look.sequence_colours(len(data.dimensions["growth_grid"]))):
+        t, amplitude = filled(data["growth_time"])[i], filled(data["growth_amplitude"])[i]
+        rate, predicted = filled(data["growth_rate"])[i], filled(data["growth_predicted"])[i]
+        axes.plot(t * abs(predicted), amplitude, color=colour,
+                  label=f"{data['growth_columns'][i]}x{data['growth_layers'][i]}: {rate:.4g} 1/s, modes {predicted:.4g}")
+    axes.set_yscale("log")
+    axes.set_xlabel("time over that of the grid's fastest mode")
+    axes.set_ylabel("departure from a uniform layer [m/s]")
+    axes.legend(loc="best", fontsize=8, frameon=True)
+    look.grid(axes)
+    look.label(axes, number, "noise in time")
+
+
 def draw(data, folder):
     panels = []
     if "symbol_I" in data.variables:
         panels += [growth_map, lambda f, a, d: against_closed_form(a, d), lambda f, a, d: hidden(a, d)]
     if "wave_length" in data.variables:
         panels += [lambda f, a, d, n=len(panels): dispersion(a, d, n), lambda f, a, d, n=len(panels) + 1: wave_field(f, a, d, n)]
+    if "growth_rate" in data.variables:
+        panels.append(lambda f, a, d, n=len(panels): noise(a, d, n))
     if "mode_growth" in data.variables:
         n = len(panels)
         panels.append(lambda f, a, d, n=n: spectrum(a, d, n))
