@@ -127,7 +127,7 @@ def spectrum(axes, data, number):
 def mode_field(figure, axes, data, number, mode):
     x, z = filled(data["mode_x"]), 1e3 * filled(data["mode_z"])
     field = filled(data["mode_u_real"])[mode]
-    mesh = axes.pcolormesh(np.broadcast_to(1e3 * x, z.shape), z, field, cmap="RdBu_r", vmin=-1, vmax=1, shading="nearest")
+    mesh = axes.pcolormesh(np.broadcast_to(1e3 * x, z.shape), z, field, cmap="RdBu_r", vmin=-1, vmax=1, shading="gouraud")
     axes.plot(1e3 * x, 1e3 * filled(data["mode_base_height"]), color="black", linewidth=1.0)
     axes.set_xlabel("x [mm]")
     axes.set_ylabel("z [mm]")
@@ -163,11 +163,12 @@ def draw(data, folder):
         panels.append(lambda f, a, d, n=n: spectrum(a, d, n))
         for mode in range(min(2, len(data.dimensions["kept_mode"]))):
             panels.append(lambda f, a, d, n=n, mode=mode: mode_field(f, a, d, n + 1 + mode, mode))
-    rows = (len(panels) + 1) // 2
-    figure = plt.figure(figsize=(14, 4.6 * rows + 1.0))
-    grid = figure.add_gridspec(rows, 2)
+    n_across = min(2, len(panels))
+    rows = (len(panels) + n_across - 1) // n_across
+    figure = plt.figure(figsize=(14 if n_across > 1 else 11, 4.6 * rows + 1.0))
+    grid = figure.add_gridspec(rows, n_across)
     for i, panel in enumerate(panels):
-        panel(figure, figure.add_subplot(grid[i // 2, i % 2]), data)
+        panel(figure, figure.add_subplot(grid[i // n_across, i % n_across]), data)
     words = [part for line in data.verdict.split("\n") for part in textwrap.wrap(line, 150)]
     figure.suptitle(data.title + "\n" + "\n".join(words), fontsize=10)
     return look.save(figure, folder, "study.png")

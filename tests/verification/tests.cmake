@@ -27,5 +27,6 @@ talus_test(verification layer_fine_grids ROOMS layer ida bridge kinsol diagnosti
 talus_test(verification layer_shear_cell ROOMS layer ida bridge kinsol diagnostics)
 talus_test(verification study_converge PROGRAM ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification layer_modes ROOMS layer steady ida kinsol modes diagnostics LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(verification layer_modes_fine ROOMS layer steady ida kinsol modes diagnostics LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(verification study_wellposed PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification heap_modes ROOMS app ida kinsol modes)
