@@ -16,6 +16,7 @@
 #include "app/hstop.hpp"
 #include "app/list.hpp"
 #include "app/plot.hpp"
+#include "app/presets.hpp"
 #include "app/rheology.hpp"
 #include "app/run.hpp"
 #include "app/scene.hpp"
@@ -36,8 +37,9 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
-/// Of one section of a scene or a sweep file, or of all.
+/// Of one section of a scene or a sweep file, of the presets, or of all sections.
 std::string explanation(const std::string& section) {
+  if (section == "presets") return explain_presets();
   const auto& sweeps = sweep::sweep_schema();
   if (section.empty()) return explain(scene_schema()) + "\n" + explain(sweeps);
   return explain(sweeps.find_section(section) != nullptr ? sweeps : scene_schema(), section);
@@ -83,9 +85,16 @@ void add_collect(CLI::App& program, std::filesystem::path& folder, std::vector<s
   command->callback([&] { collect(folder, series, typed); });
 }
 
-void add_scene(CLI::App& command, RunRequest& request) {
+void add_scene(CLI::App& command, RunRequest& request, std::string& preset) {
   command.add_option("scene", request.scene_file, "scene file (TOML)")->required()->type_name("SCENE.toml");
   add_overrides(command, request.overrides);
+  command.add_option("--preset", preset, "accuracy for time: draft, standard or fine, see talus explain presets")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(preset_names()));
+}
+
+void apply(const std::string& preset, RunRequest& request) {
+  if (!preset.empty()) request.overrides = with_preset(request.scene_file, preset, request.overrides);
 }
 
 int act(int argc, const char* const* argv) {
@@ -103,11 +112,13 @@ int act(int argc, const char* const* argv) {
   request.command = joined(argc, argv);
   std::filesystem::path out;
   auto* run_command = program.add_subcommand("run", "integrate a scene");
-  add_scene(*run_command, request);
+  std::string preset;
+  add_scene(*run_command, request, preset);
   auto* out_option = run_command->add_option("--out", out, "output folder; default out/<scene.name>")->type_name("DIR");
   run_command->add_flag("--force", request.force, "replace an earlier run in that folder");
   run_command->callback([&] {
     if (*out_option) request.out = out;
+    apply(preset, request);
     code = run(request);
   });
 
@@ -122,8 +133,11 @@ int act(int argc, const char* const* argv) {
   restart_command->callback([&] { code = restart(again); });
 
   auto* check_command = program.add_subcommand("check", "validate a scene; say what it costs and what theory expects");
-  add_scene(*check_command, request);
-  check_command->callback([&] { print(check_report(read_scene(request.scene_file, request.overrides))); });
+  add_scene(*check_command, request, preset);
+  check_command->callback([&] {
+    apply(preset, request);
+    print(check_report(read_scene(request.scene_file, request.overrides)));
+  });
 
   SweepRequest sweep_request;
   add_sweep(program, sweep_request, code);
@@ -138,8 +152,9 @@ int act(int argc, const char* const* argv) {
 
   std::string section;
   auto* explain_command = program.add_subcommand("explain", "describe the keys of a scene file");
-  explain_command->add_option("section", section,
-                              "one section only, for example grid; sweep, axis and sample are a sweep file's");
+  explain_command->add_option(
+      "section", section,
+      "one section only, for example grid; sweep, axis and sample are a sweep file's; presets tells those of run");
   explain_command->callback([&] { print(explanation(section)); });
 
   add_steady_command(program, request.command);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/study_converge.hpp"
+#include "app/study_trade.hpp"
 #include "app/study_wellposed.hpp"
 
 namespace talus::app {
@@ -77,12 +78,37 @@ void add_wellposed(CLI::App& study, const std::string& typed, int& code) {
   command->callback([request, &code] { code = study_wellposed(*request); });
 }
 
+void add_trade(CLI::App& study, const std::string& typed, int& code) {
+  const auto request = std::make_shared<TradeRequest>();
+  request->command = typed;
+  auto* command = study.add_subcommand(
+      "trade", "what accuracy costs: the scene by many choices of grid, tolerances, solvers, rung");
+  add_scene(*command, request->scene_file, request->overrides);
+  command
+      ->add_option("--by", request->by,
+                   "number of the model by which choices are judged; default heap_angle, mass_flow or mass_stored")
+      ->type_name("NAME");
+  command->add_option("--jobs", request->jobs, "choices at a time; default 1, since neighbours make CPU time dearer")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--out", request->out, "folder of the study; default out/<scene.name>_trade")->type_name("DIR");
+  command->add_flag("--force", request->force, "run choices again whose scene has changed");
+  command->footer(
+      "The scene as it stands, a reference with cells halved and a tenth of rtol, and the scene with one thing changed "
+      "at a time; errors are\n"
+      "against the reference, and of a heap's slope against the exact one. Leaves study.nc, trade.csv, verdict.json "
+      "and study.png\n"
+      "beside the runs. Interrupted, the same command goes on. Choices that fail are rows of the table.");
+  command->callback([request, &code] { code = study_trade(*request); });
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& program, const std::string& command, int& code) {
   auto* study = program.add_subcommand("study", "many runs of a scene that answer one question");
   study->require_subcommand(1);
   add_converge(*study, command, code);
+  add_trade(*study, command, code);
   add_wellposed(*study, command, code);
 }
 

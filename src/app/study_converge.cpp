@@ -1,6 +1,5 @@
 #include "app/study_converge.hpp"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "app/convergence_report.hpp"
@@ -13,15 +12,6 @@
 
 namespace talus::app {
 namespace {
-
-/// The user's settings of keys that the levels do not set: those have taken them as the coarsest.
-std::vector<std::string> settings_beside(const sweep::Dimension& levels, std::vector<std::string> settings) {
-  std::erase_if(settings, [&](const std::string& setting) {
-    const std::string key = setting.substr(0, setting.find_first_of(" ="));
-    return std::ranges::find(levels.axes, key, &sweep::Axis::key) != levels.axes.end();
-  });
-  return settings;
-}
 
 SweepPlan plan_of(const ConvergeRequest& request, const Scene& scene, const Refinement& refinement) {
   const auto levels = levels_of(scene, refinement, request.levels);

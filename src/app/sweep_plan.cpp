@@ -80,6 +80,13 @@ std::vector<std::string> member_scenes(const sweep::SweepFile& file, const std::
   return scenes;
 }
 
+std::vector<std::string> settings_beside(const sweep::Dimension& dimension, std::vector<std::string> settings) {
+  std::erase_if(settings, [&](const std::string& setting) {
+    return std::ranges::find(dimension.axes, key_of(setting), &sweep::Axis::key) != dimension.axes.end();
+  });
+  return settings;
+}
+
 SweepPlan plan_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SweepPlan plan{sweep::read_sweep(file, scene_schema()), {}};
   plan.file.settings = merged(plan.file.settings, overrides);

@@ -18,6 +18,9 @@ struct SweepPlan {
 /// whose scene is refused, with their axis values.
 std::vector<std::string> member_scenes(const sweep::SweepFile& file, const std::filesystem::path& name);
 
+/// The user's settings ("key=value") of keys that no axis of the dimension sets: of the others, its points have the say.
+std::vector<std::string> settings_beside(const sweep::Dimension& dimension, std::vector<std::string> settings);
+
 /// Reads a sweep file and makes the scene of every member. `overrides` hold for all members and win over the file's own
 /// settings. Throws core::ConfigError for a bad sweep file, or naming the members whose scene is refused, with their axis
 /// values.

@@ -3,9 +3,10 @@
 import netCDF4
 
 import converge_page
+import trade_page
 import wellposed_page
 
-PAGES = {"converge": converge_page.draw, "wellposed": wellposed_page.draw}
+PAGES = {"converge": converge_page.draw, "trade": trade_page.draw, "wellposed": wellposed_page.draw}
 
 
 def draw(folder, out):

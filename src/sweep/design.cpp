@@ -42,9 +42,17 @@ std::vector<Setting> Design::settings(std::size_t member) const {
 
 std::string Design::describe(std::size_t member) const {
   std::string out;
-  for (const auto& [axis, value] : settings(member)) {
-    out += (out.empty() ? "" : ", ") + axis.key + " = " + config::to_toml(config::value_of(value));
-    if (!axis.unit.empty() && axis.unit != "1") out += " " + axis.unit;
+  const auto at = point(member);
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+    const auto& dimension = dimensions_[i];
+    if (!dimension.labels.empty()) {
+      out += (out.empty() ? "" : ", ") + dimension.labels[at[i]];
+      continue;
+    }
+    for (const auto& axis : dimension.axes) {
+      out += (out.empty() ? "" : ", ") + axis.key + " = " + config::to_toml(config::value_of(axis.values[at[i]]));
+      if (!axis.unit.empty() && axis.unit != "1") out += " " + axis.unit;
+    }
   }
   return out;
 }

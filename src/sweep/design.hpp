@@ -27,6 +27,8 @@ std::string plain(const config::Scalar& value);
 struct Dimension {
   std::string name;  ///< as a netCDF dimension
   std::vector<Axis> axes;
+  std::vector<std::string>
+      labels{};  ///< what its points are called, where their axes would be a long story; else empty
   [[nodiscard]] std::size_t size() const { return axes.front().values.size(); }
 };
 

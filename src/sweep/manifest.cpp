@@ -37,6 +37,7 @@ Json json_of(const Design& design) {
       axes.push_back({{"key", axis.key}, {"unit", axis.unit}, {"doc", axis.doc}, {"values", std::move(values)}});
     }
     dimensions.push_back({{"name", dimension.name}, {"length", dimension.size()}, {"axes", std::move(axes)}});
+    if (!dimension.labels.empty()) dimensions.back()["labels"] = dimension.labels;
   }
   return dimensions;
 }
@@ -44,7 +45,7 @@ Json json_of(const Design& design) {
 Design design_of(const Json& json) {
   std::vector<Dimension> dimensions;
   for (const auto& dimension : json) {
-    dimensions.push_back({dimension.at("name"), {}});
+    dimensions.push_back({dimension.at("name"), {}, dimension.value("labels", std::vector<std::string>{})});
     for (const auto& axis : dimension.at("axes")) {
       dimensions.back().axes.push_back({axis.at("key"), axis.at("unit"), axis.at("doc"), {}});
       for (const auto& value : axis.at("values")) dimensions.back().axes.back().values.push_back(scalar_of(value));

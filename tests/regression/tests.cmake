@@ -12,5 +12,6 @@ set_tests_properties(paper PROPERTIES LABELS regression-slow)
 # Eight members of the sweep of 500.
 add_test(NAME heap_slopes COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/heap_slopes.py $<TARGET_FILE:talus>)
 set_tests_properties(heap_slopes PROPERTIES LABELS regression)
+talus_test(regression cli_study_trade PROGRAM LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)
 talus_test(regression same_bits PROGRAM LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)
 talus_preloaded(same_bits no_threads)
