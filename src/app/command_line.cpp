@@ -93,7 +93,7 @@ void add_scene(CLI::App& command, RunRequest& request, std::string& preset) {
       ->check(CLI::IsMember(preset_names()));
 }
 
-void apply(const std::string& preset, RunRequest& request) {
+void apply_preset(const std::string& preset, RunRequest& request) {
   if (!preset.empty()) request.overrides = with_preset(request.scene_file, preset, request.overrides);
 }
 
@@ -118,7 +118,7 @@ int act(int argc, const char* const* argv) {
   run_command->add_flag("--force", request.force, "replace an earlier run in that folder");
   run_command->callback([&] {
     if (*out_option) request.out = out;
-    apply(preset, request);
+    apply_preset(preset, request);
     code = run(request);
   });
 
@@ -135,7 +135,7 @@ int act(int argc, const char* const* argv) {
   auto* check_command = program.add_subcommand("check", "validate a scene; say what it costs and what theory expects");
   add_scene(*check_command, request, preset);
   check_command->callback([&] {
-    apply(preset, request);
+    apply_preset(preset, request);
     print(check_report(read_scene(request.scene_file, request.overrides)));
   });
 
