@@ -74,6 +74,7 @@ sweep::Dimension levels_of(const Scene& scene, const Refinement& refinement, int
     levels.axes.push_back(divided("integrator.atol_velocity", its.atol_velocity, tolerance_ratio, n));
     levels.axes.push_back(divided("integrator.atol_pressure", its.atol_pressure, tolerance_ratio, n));
     levels.axes.push_back(divided("integrator.atol_height", its.atol_height, tolerance_ratio, n));
+    levels.axes.push_back(divided("integrator.atol_mass", its.atol_mass, tolerance_ratio, n));
     if (its.max_step > 0.0) levels.axes.push_back(divided("integrator.max_step", its.max_step, refinement_ratio, n));
   }
   return levels;
