@@ -29,13 +29,18 @@ std::string named(const testing::TestParamInfo<Settings>& each) {
 
 double top_speed(const tests::SceneRun& run) { return run.field("u").back(); }
 
+/// How long a uniform flow stays uniform [s]. Under a cap of 0.01 Pa s it is nearly inviscid and not stable: waves as long as the box
+/// grow from round-off at some 50 1/s once the surface moves at 2 m/s, alike at rtol 1e-5, 1e-6, 1e-7 and at every order of BDF, and
+/// are of the size of the flow at 0.7 s. Steps that do not resolve them damp them.
+double stays_uniform(const Settings& settings) { return settings.front() == "rheology.eta_max=1e-2" ? 0.3 : 2.0; }
+
 class Uniform : public testing::TestWithParam<Settings> {};
 
 TEST_P(Uniform, LayerFollowsTheColumn) {
   const Settings column = with(GetParam(), {"model.name=column", "output.times=[]", "time.end=2"});
   const Settings layer = with(GetParam(), {"model.name=layer", "output.times=[]", "time.end=2"});
   tests::SceneRun one(tests::small("chute_periodic", 3, 16, column)), two(tests::small("chute_periodic", 3, 16, layer));
-  for (const double t : {0.1, 2.0}) {
+  for (const double t : {0.1, stays_uniform(GetParam())}) {
     one.advance(t);
     two.advance(t);
     EXPECT_NEAR(top_speed(two), top_speed(one), 1e-3 * std::abs(top_speed(one)) + 1e-5) << "at " << t << " s";
