@@ -10,7 +10,7 @@
 namespace talus::tests {
 
 /// A state about `system`'s initial one: velocities of up to `speed` [m/s], pressures from `p_least` to `p_most` times theirs,
-/// thicknesses between `H_least` and `H_most` [m], masses up to 50 g, rates of order one. Fields the generator does not know stay as they are.
+/// thicknesses between `H_least` and `H_most` [m], volume fractions from 0 to 1, masses up to 50 g, rates of order one. Fields the generator does not know stay as they are.
 struct RandomState {
   double speed = 0.3;
   double H_least = 6e-4, H_most = 2e-2;
@@ -25,8 +25,9 @@ struct RandomState {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (core::Index i = 0; i < layout.size(); ++i) {
       const auto& name = layout.field(i).name;
-      if (name == "u" || name == "omega") y[i] += speed * (2.0 * share(random) - 1.0);
+      if (name == "u" || name == "w" || name == "omega") y[i] += speed * (2.0 * share(random) - 1.0);
       if (name == "p") y[i] *= p_least + (p_most - p_least) * share(random);
+      if (name == "phi") y[i] = share(random);
       if (name == "H") y[i] = H_least * std::pow(H_most / H_least, share(random));
       yp[i] = 2.0 * share(random) - 1.0;
     }
