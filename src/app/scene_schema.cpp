@@ -154,7 +154,7 @@ void numerics(Schema& s) {
             .fallback(std::string("arithmetic")));
   s.add(boolean("base_film", "grains that do not fill the cells on the base lie there as a film of its own thickness")
             .fallback(false));
-  s.add(number("upwind_speed", "m/s", "over which the giving side of a flux changes").above(0.0).fallback(1e-7));
+  s.add(number("upwind_speed", "m/s", "over which the giving side of a flux changes").above(0.0).fallback(1e-8));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
   s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).fallback(1e-3));
