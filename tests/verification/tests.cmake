@@ -25,3 +25,4 @@ talus_test(verification layer_cavity ROOMS layer ida bridge kinsol diagnostics L
 talus_test(verification layer_manufactured_surface ROOMS layer ida diagnostics)
 talus_test(verification layer_fine_grids ROOMS layer ida bridge kinsol diagnostics LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(verification layer_shear_cell ROOMS layer ida bridge kinsol diagnostics)
+talus_test(verification two_fluid_box ROOMS app)
