@@ -9,15 +9,15 @@ namespace talus::two_fluid {
 /// Everything pointwise in the middle of a cell, from the same strain rates and viscosity as the equations. Where grains do not fill half
 /// the cell, I, mu, C and q are not numbers.
 struct CellState {
-  double u, w;        ///< [m/s]
-  double phi;         ///< [1]
-  double p;           ///< [Pa]
-  double D_norm;      ///< [1/s]
-  double I, mu;       ///< [1]; as regularised
-  double eta;         ///< of the grains [Pa s]
-  double eta_mixture; ///< [Pa s]
-  bool capped;        ///< the viscosity cap takes away more than half, in a cell of grains
-  double C, q;        ///< (3.18) and mu - I mu'/2
+  double u, w;         ///< [m/s]
+  double phi;          ///< [1]
+  double p;            ///< [Pa]
+  double D_norm;       ///< [1/s]
+  double I, mu;        ///< [1]; as regularised
+  double eta;          ///< of the grains [Pa s]
+  double eta_mixture;  ///< [Pa s]
+  bool capped;         ///< the viscosity cap takes away more than half, in a cell of grains
+  double C, q;         ///< (3.18) and mu - I mu'/2
 };
 
 /// From here on a cell counts as one of grains [1].

@@ -44,7 +44,9 @@ diagnostics::IllPosedness ill_posedness_of(const View& v) {
   constexpr double slowest = 0.01;
   std::vector<double> I, area;
   for (int i = 0; i < v.grid().n_columns(); ++i) {
-    const auto speed = [&](int k) { return v.cell(i, k).phi > dense ? std::hypot(v.cell(i, k).u, v.cell(i, k).w) : 0.0; };
+    const auto speed = [&](int k) {
+      return v.cell(i, k).phi > dense ? std::hypot(v.cell(i, k).u, v.cell(i, k).w) : 0.0;
+    };
     double fastest = 0.0;
     for (int k = 0; k < v.grid().n_layers(); ++k) fastest = std::max(fastest, speed(k));
     for (int k = 0; k < v.grid().n_layers(); ++k) {
@@ -131,24 +133,25 @@ std::vector<Entry> cell_fields() {
                  over(false, 0, false, [=](const View& v, int i, int k) { return value(v.cell(i, k)); })};
   };
   using C = CellState;
-  return {field("phi", "1", "volume fraction of the grains", [](const C& s) { return s.phi; }),
-          field("u_centre", "m s-1", "velocity down the base, in the cell's middle", [](const C& s) { return s.u; }),
-          field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", [](const C& s) { return s.w; }),
-          field("speed", "m s-1", "speed of the mixture", [](const C& s) { return std::hypot(s.u, s.w); }),
-          field("pressure", "Pa", "pressure", [](const C& s) { return s.p; }),
-          field("strain_rate", "s-1", "second invariant of the strain rate, D_norm (3.13)",
-                [](const C& s) { return s.D_norm; }),
-          field("inertial_number", "1", "inertial number I (3.15) of the grains, as regularised",
-                [](const C& s) { return s.I; }),
-          field("friction", "1", "internal friction mu(I) of the grains", [](const C& s) { return s.mu; }),
-          field("viscosity", "Pa s", "granular viscosity eta (3.17), as regularised", [](const C& s) { return s.eta; }),
-          field("mixture_viscosity", "Pa s", "viscosity of the mixture of grains and air (5.7)",
-                [](const C& s) { return s.eta_mixture; }),
-          field("cap_active", "1", "1 where the viscosity cap takes away more than half, in cells of grains",
-                [](const C& s) { return s.capped ? 1.0 : 0.0; }),
-          field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", [](const C& s) { return s.C; }),
-          field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
-                [](const C& s) { return s.q; })};
+  return {
+      field("phi", "1", "volume fraction of the grains", [](const C& s) { return s.phi; }),
+      field("u_centre", "m s-1", "velocity down the base, in the cell's middle", [](const C& s) { return s.u; }),
+      field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", [](const C& s) { return s.w; }),
+      field("speed", "m s-1", "speed of the mixture", [](const C& s) { return std::hypot(s.u, s.w); }),
+      field("pressure", "Pa", "pressure", [](const C& s) { return s.p; }),
+      field("strain_rate", "s-1", "second invariant of the strain rate, D_norm (3.13)",
+            [](const C& s) { return s.D_norm; }),
+      field("inertial_number", "1", "inertial number I (3.15) of the grains, as regularised",
+            [](const C& s) { return s.I; }),
+      field("friction", "1", "internal friction mu(I) of the grains", [](const C& s) { return s.mu; }),
+      field("viscosity", "Pa s", "granular viscosity eta (3.17), as regularised", [](const C& s) { return s.eta; }),
+      field("mixture_viscosity", "Pa s", "viscosity of the mixture of grains and air (5.7)",
+            [](const C& s) { return s.eta_mixture; }),
+      field("cap_active", "1", "1 where the viscosity cap takes away more than half, in cells of grains",
+            [](const C& s) { return s.capped ? 1.0 : 0.0; }),
+      field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", [](const C& s) { return s.C; }),
+      field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
+            [](const C& s) { return s.q; })};
 }
 
 std::vector<Entry> native_fields() {
@@ -163,10 +166,11 @@ std::vector<Entry> native_fields() {
                   {{"grid", "grid"}, {"location", location}}},
                  std::move(fill)};
   };
-  return {native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
-                 over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.system.unknowns().u(f, k)); })),
-          native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
-                 over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.system.unknowns().w(i, k)); }))};
+  return {
+      native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
+             over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.system.unknowns().u(f, k)); })),
+      native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
+             over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.system.unknowns().w(i, k)); }))};
 }
 
 std::vector<Entry> lines() {

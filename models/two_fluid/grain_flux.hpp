@@ -14,7 +14,7 @@ struct Row {
 /// Flux of grains a unit area through a face [m/s]: (5.13) with the speed of the mixture and `parting_speed` = Omega f_ga e.n, both
 /// positive from behind to ahead. `step` gives distances of the row: cells' widths and the spaces between their middles.
 struct Spacings {
-  double behind, ahead;                 ///< widths of the two cells beside the face [m]
+  double behind, ahead;                   ///< widths of the two cells beside the face [m]
   double far_behind, between, far_ahead;  ///< distances between middles, in their order [m]
 };
 
@@ -26,7 +26,8 @@ S grain_flux(const Numerics& n, const Spacings& d, const S& speed, const S& part
       second ? fv::limited(phi.far_behind, phi.behind, phi.ahead, d.behind / d.far_behind, d.behind / d.between)
              : phi.behind;
   const S from_ahead =
-      second ? fv::limited(phi.far_ahead, phi.ahead, phi.behind, d.ahead / d.far_ahead, d.ahead / d.between) : phi.ahead;
+      second ? fv::limited(phi.far_ahead, phi.ahead, phi.behind, d.ahead / d.far_ahead, d.ahead / d.between)
+             : phi.ahead;
   S flux = fv::upwind_flux(speed, n.upwind_speed, from_behind, from_ahead);
   if (parting_sign > 0.0) flux += parting_speed * fv::parting(phi.behind, phi.ahead);
   if (parting_sign < 0.0) flux += parting_speed * fv::parting(phi.ahead, phi.behind);

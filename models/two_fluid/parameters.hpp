@@ -14,9 +14,9 @@ using experiment::Wall;
 
 /// The excess air: what fills the box where there are no grains.
 struct Air {
-  double rho = 1.0;              ///< [kg/m3]
-  double eta = 1e-2;             ///< viscosity, thickened to calm the air [Pa s]
-  double drag_viscosity = 0.0;   ///< in the drag 12 eta/W^2 of the side walls on the air [Pa s]; 0: none
+  double rho = 1.0;             ///< [kg/m3]
+  double eta = 1e-2;            ///< viscosity, thickened to calm the air [Pa s]
+  double drag_viscosity = 0.0;  ///< in the drag 12 eta/W^2 of the side walls on the air [Pa s]; 0: none
 };
 
 /// What keeps grains and air apart.
@@ -45,14 +45,14 @@ struct Numerics {
   Transport transport = Transport::limited;
   Averaging averaging = Averaging::arithmetic;
   Advection advection = Advection::upwind;
-  bool base_film = false;         ///< a film thinner than its cell meets the base with its own thickness
-  double upwind_speed = 1e-8;     ///< over which the giving side changes [m/s]
-  double x_grading = 1.0;         ///< as Grid::x_ratio
-  double z_grading = 1.0;         ///< as Grid::z_ratio
-  double atol_fraction = 1e-3;    ///< absolute tolerance of phi [1]
-  double inlet_fraction = 0.2;    ///< phi of what is poured [1]
-  double jet_margin = 0.025;      ///< of the jet region beyond the inlet's edges (5.11) [m]
-  double jet_clearance = 0.02;    ///< of the jet region above the heap (5.12) [m]
+  bool base_film = false;       ///< a film thinner than its cell meets the base with its own thickness
+  double upwind_speed = 1e-8;   ///< over which the giving side changes [m/s]
+  double x_grading = 1.0;       ///< as Grid::x_ratio
+  double z_grading = 1.0;       ///< as Grid::z_ratio
+  double atol_fraction = 1e-3;  ///< absolute tolerance of phi [1]
+  double inlet_fraction = 0.2;  ///< phi of what is poured [1]
+  double jet_margin = 0.025;    ///< of the jet region beyond the inlet's edges (5.11) [m]
+  double jet_clearance = 0.02;  ///< of the jet region above the heap (5.12) [m]
   Air air;
 };
 
@@ -66,11 +66,11 @@ struct Parameters {
   Inflow inflow;
   Grid grid;
   Numerics numerics;
-  double thickness = 0.0;        ///< of the grains at rest on the base at the start [m]
-  double atol_velocity = 1e-4;   ///< [m/s]
-  double atol_pressure = 0.1;    ///< [Pa]
-  double atol_height = 1e-4;     ///< of the heap's highest point [m]
-  double atol_mass = 1e-5;       ///< of the budgets [kg]
+  double thickness = 0.0;       ///< of the grains at rest on the base at the start [m]
+  double atol_velocity = 1e-4;  ///< [m/s]
+  double atol_pressure = 0.1;   ///< [Pa]
+  double atol_height = 1e-4;    ///< of the heap's highest point [m]
+  double atol_mass = 1e-5;      ///< of the budgets [kg]
 };
 
 }  // namespace talus::two_fluid

@@ -82,8 +82,8 @@ TwoFluid::TwoFluid(Parameters parameters)
       mesh_(parameters_),
       unknowns_(mesh_.grid(), budgets_of(parameters_)),
       layout_(make_layout(parameters_, mesh_, unknowns_)),
-      operator_(std::make_unique<fv::Operator<Context>>(
-          unknowns_.size(), make_terms(parameters_, mesh_, unknowns_), context(0.0))) {}
+      operator_(std::make_unique<fv::Operator<Context>>(unknowns_.size(), make_terms(parameters_, mesh_, unknowns_),
+                                                        context(0.0))) {}
 
 Context TwoFluid::context(double t) const {
   const Parameters& par = parameters_;

@@ -20,8 +20,8 @@ struct Simulation {
 /// One rung of the ladder that a scene can ask for.
 struct Model {
   std::string name;
-  std::string doc;   ///< one line
-  bool has_columns;  ///< needs `grid.columns`
+  std::string doc;          ///< one line
+  bool has_columns;         ///< needs `grid.columns`
   bool starts_dry = false;  ///< without an initial thickness the box is empty; else it holds the film
   /// Adds to `problems` what of the scene this model cannot represent. The scene need not have its recording yet.
   void (*check)(const Scene& scene, const config::Values& values, config::Problems& problems);

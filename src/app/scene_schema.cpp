@@ -141,7 +141,8 @@ void numerics(Schema& s) {
             .below(90.0)
             .optional("the angle of repose, atan(rheology.mu_s)"));
 
-  s.section("two_fluid", "numerics of model.name = \"two_fluid\": grains and air on a grid of columns and layers over the box");
+  s.section("two_fluid",
+            "numerics of model.name = \"two_fluid\": grains and air on a grid of columns and layers over the box");
   s.add(choice("sharpening", words::of(words::sharpenings), "what keeps grains and air apart: nothing, or (5.13)")
             .fallback(std::string("segregation")));
   s.add(number("segregation_speed", "m/s", "f_ga of (5.13)").at_least(0.0).fallback(0.1));

@@ -12,12 +12,14 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
   const auto& box = scene.box;
   if (box.lid) refuse("box.surface", "the air above the grains is open; expected free" + instead);
   if (box.base == experiment::Contact::free_slip || box.base_speed != 0.0)
-    refuse("box.base", "grains and air stick to a base that stands still; expected no_slip and base_speed = 0" + instead);
+    refuse("box.base",
+           "grains and air stick to a base that stands still; expected no_slip and base_speed = 0" + instead);
   if (box.base_slope != 0.0) refuse("box.base_slope", "the base is a grid line; expected 0, and the slope in box.tilt");
   if (box.end_walls == experiment::Contact::no_slip)
     refuse("box.end_walls", "grains and air slip along end walls; expected free_slip" + instead);
   if (values.has("schedule.times"))
-    refuse("schedule.times", "the two-fluid model's box stands still; expected no schedule, or model.name = \"column\"");
+    refuse("schedule.times",
+           "the two-fluid model's box stands still; expected no schedule, or model.name = \"column\"");
   if (scene.initial.state != Initial::State::rest)
     refuse("initial.state", "the two-fluid model starts at rest; expected rest, or model.name = \"column\"");
   if (scene.inflow.rate > 0.0) {
@@ -58,19 +60,19 @@ Model two_fluid_model() {
 }
 
 two_fluid::Parameters make_two_fluid_parameters(const Scene& scene) {
-  two_fluid::Parameters par{.box = scene.box,
-                            .grains = scene.grains,
-                            .law = scene.law,
-                            .regularisation = scene.regularisation,
-                            .wall = scene.wall,
-                            .inflow = scene.inflow,
-                            .grid = {scene.cells.columns, scene.cells.layers, scene.two_fluid.x_grading,
-                                     scene.two_fluid.z_grading},
-                            .numerics = scene.two_fluid,
-                            .thickness = scene.initial.thickness,
-                            .atol_velocity = scene.integration.atol_velocity,
-                            .atol_pressure = scene.integration.atol_pressure,
-                            .atol_height = scene.integration.atol_height};
+  two_fluid::Parameters par{
+      .box = scene.box,
+      .grains = scene.grains,
+      .law = scene.law,
+      .regularisation = scene.regularisation,
+      .wall = scene.wall,
+      .inflow = scene.inflow,
+      .grid = {scene.cells.columns, scene.cells.layers, scene.two_fluid.x_grading, scene.two_fluid.z_grading},
+      .numerics = scene.two_fluid,
+      .thickness = scene.initial.thickness,
+      .atol_velocity = scene.integration.atol_velocity,
+      .atol_pressure = scene.integration.atol_pressure,
+      .atol_height = scene.integration.atol_height};
   par.numerics.advection = advection_of(scene.numerics.advection);
   return par;
 }

@@ -19,7 +19,8 @@ using two_fluid::TwoFluid;
 using Settings = std::vector<std::string>;
 
 two_fluid::Parameters heap(int columns, int layers, Settings settings = {}) {
-  return app::make_two_fluid_parameters(tests::Case{"two_fluid", "heap_q46"}.read(columns, layers, std::move(settings)));
+  return app::make_two_fluid_parameters(
+      tests::Case{"two_fluid", "heap_q46"}.read(columns, layers, std::move(settings)));
 }
 
 struct State {
@@ -32,11 +33,17 @@ struct State {
 
 /// The Jacobian with each switch of the model.
 TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
-  for (const Settings& settings :
-       {Settings{"two_fluid.transport=upwind"}, {"two_fluid.averaging=harmonic"}, {"two_fluid.base_film=true"},
-        {"two_fluid.direction=base_normal"}, {"two_fluid.sharpening=none"}, {"model.advection=none"},
-        {"model.advection=central"}, {"two_fluid.x_grading=3", "two_fluid.z_grading=5"}, {"box.left=wall"},
-        {"two_fluid.jet_clearance=0.2"}, {"box.tilt=-20", "inflow.position=0.4"}}) {
+  for (const Settings& settings : {Settings{"two_fluid.transport=upwind"},
+                                   {"two_fluid.averaging=harmonic"},
+                                   {"two_fluid.base_film=true"},
+                                   {"two_fluid.direction=base_normal"},
+                                   {"two_fluid.sharpening=none"},
+                                   {"model.advection=none"},
+                                   {"model.advection=central"},
+                                   {"two_fluid.x_grading=3", "two_fluid.z_grading=5"},
+                                   {"box.left=wall"},
+                                   {"two_fluid.jet_clearance=0.2"},
+                                   {"box.tilt=-20", "inflow.position=0.4"}}) {
     const TwoFluid system(heap(9, 5, settings));
     for (const unsigned seed : {1U, 2U}) {
       const State state(system, seed);
@@ -79,8 +86,7 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
       volume += state.r[at.continuity(i, k)];
       size += std::abs(state.r[at.phi(i, k)]);
     }
-    for (int k = 0; k < g.n_layers(); ++k)
-      volume -= g.dz(k) * (state.y[at.u(g.n_columns(), k)] - state.y[at.u(0, k)]);
+    for (int k = 0; k < g.n_layers(); ++k) volume -= g.dz(k) * (state.y[at.u(g.n_columns(), k)] - state.y[at.u(0, k)]);
     for (int i = 0; i < g.n_columns(); ++i) volume -= g.dx(i) * state.y[at.w(i, g.n_layers())];
     const double across = system.parameters().grains.rho() * system.parameters().box.gap;
     grains *= across;
@@ -121,8 +127,8 @@ TEST(TwoFluid, MomentumTelescopesWithTheMassFluxOfTransport) {
 }
 
 TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
-  const TwoFluid system(heap(8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall",
-                                     "box.right=wall"}));
+  const TwoFluid system(
+      heap(8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall", "box.right=wall"}));
   std::vector<double> y(system.layout().size()), yp(y), r(y);
   system.initial_state(0.0, y, yp);
   system.residual(0.0, y, yp, r);

@@ -28,8 +28,8 @@ struct MomentumAlong : Kernel {
     }
     const S mass = left * c.density(in.y[phi_]) + right * c.density(in.y[phi_ + 1]);
     const S air = left * (1.0 - in.y[phi_]) + right * (1.0 - in.y[phi_ + 1]);
-    out[0] += mass * (in.rate[u_] - c.gravity_x) + grid().dz(k) * (in.y[p_ + 1] - in.y[p_]) +
-              c.air_drag * air * in.y[u_];
+    out[0] +=
+        mass * (in.rate[u_] - c.gravity_x) + grid().dz(k) * (in.y[p_ + 1] - in.y[p_]) + c.air_drag * air * in.y[u_];
   }
 };
 
@@ -49,14 +49,14 @@ struct MomentumUp : Kernel {
     const auto [i, k] = place(number);
     const double below = half_cell(i, k - 1), above = half_cell(i, k);
     if (mesh->is_inlet(i, k)) {
-      out[0] += (c.parameters->grains.rho() / c.fall_time() * below) *
-                (in.y[w_] + c.inlet_speed * mesh->inlet_share(i));
+      out[0] +=
+          (c.parameters->grains.rho() / c.fall_time() * below) * (in.y[w_] + c.inlet_speed * mesh->inlet_share(i));
       return;
     }
     const S mass = below * c.density(in.y[phi_]) + above * c.density(in.y[phi_ + 1]);
     const S air = below * (1.0 - in.y[phi_]) + above * (1.0 - in.y[phi_ + 1]);
-    out[0] += mass * (in.rate[w_] - c.gravity_z) + grid().dx(i) * (in.y[p_ + 1] - in.y[p_]) +
-              c.air_drag * air * in.y[w_];
+    out[0] +=
+        mass * (in.rate[w_] - c.gravity_z) + grid().dx(i) * (in.y[p_ + 1] - in.y[p_]) + c.air_drag * air * in.y[w_];
   }
 };
 
@@ -79,8 +79,8 @@ struct WallFrictionAlong : Kernel {
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
-    in = {at->u(f, k),       at->w(f - 1, k), at->w(f - 1, k + 1), at->w(f, k),     at->w(f, k + 1),
-          at->phi(f - 1, k), at->phi(f, k),   at->p(f - 1, k),     at->p(f, k),     heap_at_face(f, k)};
+    in = {at->u(f, k),       at->w(f - 1, k), at->w(f - 1, k + 1), at->w(f, k), at->w(f, k + 1),
+          at->phi(f - 1, k), at->phi(f, k),   at->p(f - 1, k),     at->p(f, k), heap_at_face(f, k)};
     out = {mesh->is_wall(f) ? -1 : at->momentum_u(f, k)};
   }
   template <class S>

@@ -10,9 +10,8 @@ namespace talus::two_fluid {
 template <class S>
 void carry(const Context& c, double area, const S& m, const S& behind, const S& ahead, S& row_behind, S& row_ahead) {
   const Numerics& n = c.parameters->numerics;
-  const S u = n.advection == Advection::upwind
-                  ? fv::upwind_value(m, c.rho_air() * n.upwind_speed, behind, ahead)
-                  : S(0.5 * (behind + ahead));
+  const S u = n.advection == Advection::upwind ? fv::upwind_value(m, c.rho_air() * n.upwind_speed, behind, ahead)
+                                               : S(0.5 * (behind + ahead));
   row_behind += area * m * (u - behind);
   row_ahead -= area * m * (u - ahead);
 }

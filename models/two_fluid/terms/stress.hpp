@@ -51,8 +51,8 @@ struct CentreStress : Kernel {
     const auto [i, k] = place(number);
     const auto& y = in.y;
     const auto strain = CentreSlots::strain(*mesh, i, k, y);
-    const S eta = mixture_viscosity(c, y[CentreSlots::phi_],
-                                    grain_viscosity(c, strain.norm_squared(), y[CentreSlots::p_]));
+    const S eta =
+        mixture_viscosity(c, y[CentreSlots::phi_], grain_viscosity(c, strain.norm_squared(), y[CentreSlots::p_]));
     const double dx = grid().dx(i), dz = grid().dz(k);
     const S pull_x = 2.0 * eta * strain.D_xx * dz;
     const S pull_z = 2.0 * eta * (y[CentreSlots::w_ + 3] - y[CentreSlots::w_ + 2]) * (dx / dz);
@@ -120,8 +120,8 @@ struct CornerStress : Kernel {
     const auto [f, k] = place(number);
     const auto strain = CornerSlots::strain(*mesh, f, k, in.y);
     const S p = CornerSlots::pressure(*mesh, f, k, in.y);
-    const S eta = mixture_viscosity(c, CornerSlots::fraction(*mesh, f, k, in.y),
-                                    grain_viscosity(c, strain.norm_squared(), p));
+    const S eta =
+        mixture_viscosity(c, CornerSlots::fraction(*mesh, f, k, in.y), grain_viscosity(c, strain.norm_squared(), p));
     const S shear = 2.0 * eta * strain.D_xz;
     out[0] -= grid().across_face(f) * shear;
     out[1] += grid().across_face(f) * shear;

@@ -13,8 +13,7 @@ struct TransportAlong : Kernel {
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
-    in = {at->u(f, k),     at->phi(f - 2, k), at->phi(f - 1, k),
-          at->phi(f, k),   at->phi(f + 1, k), heap_at_face(f, k)};
+    in = {at->u(f, k), at->phi(f - 2, k), at->phi(f - 1, k), at->phi(f, k), at->phi(f + 1, k), heap_at_face(f, k)};
     const Index budget = !mesh->has_cell(f - 1, k) ? at->mass_left() : (!mesh->has_cell(f, k) ? at->mass_right() : -1);
     out = {at->continuity(f - 1, k), at->continuity(f, k), at->phi(f - 1, k), at->phi(f, k), budget};
   }
@@ -40,8 +39,7 @@ struct TransportUp : Kernel {
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
-    in = {at->w(i, k),     at->phi(i, k - 2), at->phi(i, k - 1),
-          at->phi(i, k),   at->phi(i, k + 1), heap_at_interface(i, k)};
+    in = {at->w(i, k), at->phi(i, k - 2), at->phi(i, k - 1), at->phi(i, k), at->phi(i, k + 1), heap_at_interface(i, k)};
     const Index budget = mesh->has_cell(i, k) ? -1 : (mesh->is_inlet(i, k) ? at->mass_in() : at->mass_top());
     out = {at->continuity(i, k - 1), at->continuity(i, k), at->phi(i, k - 1), at->phi(i, k), budget};
   }
