@@ -11,7 +11,7 @@ struct Row {
   const S &far_behind, &behind, &ahead, &far_ahead;
 };
 
-/// Flux of grains a unit area through a face [m/s]: (5.13) with the speed of the mixture and `parting_speed` = Omega f_ga e.n, both
+/// Flux of grains a unit area through a face [m/s]: (5.13) and the return of what is out of bounds, with the speed of the mixture and `parting_speed` = Omega f_ga e.n, both
 /// positive from behind to ahead. `step` gives distances of the row: cells' widths and the spaces between their middles.
 struct Spacings {
   double behind, ahead;                   ///< widths of the two cells beside the face [m]
@@ -31,6 +31,7 @@ S grain_flux(const Numerics& n, const Spacings& d, const S& speed, const S& part
   S flux = fv::upwind_flux(speed, n.upwind_speed, from_behind, from_ahead);
   if (parting_sign > 0.0) flux += parting_speed * fv::parting(phi.behind, phi.ahead);
   if (parting_sign < 0.0) flux += parting_speed * fv::parting(phi.ahead, phi.behind);
+  if (n.return_speed > 0.0) flux += n.return_speed * (fv::beyond_bounds(phi.behind) - fv::beyond_bounds(phi.ahead));
   return flux;
 }
 

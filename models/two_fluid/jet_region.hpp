@@ -41,20 +41,22 @@ class JetRegion {
 
   [[nodiscard]] bool exists() const { return exists_; }
   [[nodiscard]] bool in_corridor(double x, double z) const { return exists_ && std::abs(X(x, z)) < half_; }
-  /// Width of the slot across the jet [m].
-  [[nodiscard]] double slot_width() const { return 2.0 * half_slot_; }
-  /// Share of a cell of sides dx, dz about (x, z) that lies under the slot [1]: exact but for the cell's corners.
-  [[nodiscard]] double share_under_slot(double x, double z, double dx, double dz) const {
+  /// Width of the corridor [m].
+  [[nodiscard]] double width() const { return 2.0 * half_; }
+  /// Share of a cell of sides dx, dz about (x, z) that lies in the corridor [1]: exact but for the cell's corners.
+  [[nodiscard]] double share_of_cell(double x, double z, double dx, double dz) const {
     const double reach = 0.5 * (dx * cosine_ + dz * std::abs(sine_));
-    const double from = std::fmax(X(x, z) - reach, -half_slot_), to = std::fmin(X(x, z) + reach, half_slot_);
+    const double from = std::fmax(X(x, z) - reach, -half_), to = std::fmin(X(x, z) + reach, half_);
     return std::fmax(to - from, 0.0) / (2.0 * reach);
   }
+  /// Height along gravity over the point where the jet's middle would meet the base [m].
+  [[nodiscard]] double height(double x, double z) const { return z * cosine_ - x * sine_ - Z_foot_; }
+  [[nodiscard]] double clearance() const { return clearance_; }
   /// Omega at (x, z) over a heap whose highest point is at `heap` [m]: 0 in the jet, 1 outside, H_b (5.12) being where it is one half.
   template <class S>
   S omega(double x, double z, const S& heap) const {
     if (!in_corridor(x, z)) return S(1.0);
-    const double Z = z * cosine_ - x * sine_ - Z_foot_;
-    return S(1.0) - smooth_step(S((Z - heap - clearance_) / clearance_ + 0.5));
+    return S(1.0) - smooth_step(S((height(x, z) - heap - clearance_) / clearance_ + 0.5));
   }
 
  private:

@@ -47,6 +47,7 @@ struct Numerics {
   Advection advection = Advection::upwind;
   bool base_film = false;       ///< a film thinner than its cell meets the base with its own thickness
   double upwind_speed = 1e-8;   ///< over which the giving side changes [m/s]
+  double return_speed = 0.1;    ///< at which what is out of [0, 1] goes to the neighbours; 0: it stays [m/s]
   double x_grading = 1.0;       ///< as Grid::x_ratio
   double z_grading = 1.0;       ///< as Grid::z_ratio
   double atol_fraction = 1e-3;  ///< absolute tolerance of phi [1]

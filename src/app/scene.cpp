@@ -143,6 +143,7 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   n.averaging = words::meaning(words::averagings, v.text("two_fluid.averaging"));
   n.base_film = v.boolean("two_fluid.base_film");
   n.upwind_speed = v.number("two_fluid.upwind_speed");
+  n.return_speed = v.number("two_fluid.return_speed");
   n.x_grading = v.number("two_fluid.x_grading");
   n.z_grading = v.number("two_fluid.z_grading");
   n.atol_fraction = v.number("two_fluid.atol_fraction");

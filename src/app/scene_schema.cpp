@@ -156,6 +156,9 @@ void numerics(Schema& s) {
   s.add(boolean("base_film", "grains that do not fill the cells on the base lie there as a film of its own thickness")
             .fallback(false));
   s.add(number("upwind_speed", "m/s", "over which the giving side of a flux changes").above(0.0).fallback(1e-8));
+  s.add(number("return_speed", "m/s", "at which volume fractions out of [0, 1] are evened out; 0: not at all")
+            .at_least(0.0)
+            .fallback(0.1));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
   s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).fallback(1e-3));

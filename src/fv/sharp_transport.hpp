@@ -60,4 +60,12 @@ S parting(const S& from, const S& to) {
   return above_zero(from) * above_zero(S(1.0 - to));
 }
 
+/// By how much phi is above 1, or minus by how much it is below 0, with smooth onsets: a flux in proportion to its difference returns
+/// what errors of time stepping and iteration have put out of bounds, and is none within them.
+template <class S>
+S beyond_bounds(const S& phi) {
+  constexpr double width = 1e-6;
+  return above_zero(S(phi - 1.0), width) - above_zero(S(-phi), width);
+}
+
 }  // namespace talus::fv

@@ -95,26 +95,32 @@ struct Rates : Kernel {
 /// Inside a heap phi is above, in the jet below these [1]: what lies between counts in part.
 inline constexpr double jet_phi = 0.3, heap_phi = 0.7;
 
-/// The heap's height under the jet follows the area of dense grains under the slot, over its width, within the time of a free fall
-/// from the inlet: it stands for the highest point in (5.12).
+/// The heap's height H in the jet's corridor, for the highest point in (5.12): the mean of the fourth power of the heights of dense
+/// grains over the corridor's width, H^4 = (1/width) sum of 4 Z^3 over their cells; H follows it within the time of a free fall from
+/// the inlet.
 struct HeapUnderJet : Kernel {
-  static constexpr int n_in = 1, n_out = 1;
+  static constexpr int n_in = 2, n_out = 1;
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
-    in = {share(i, k) > 0.0 ? at->phi(i, k) : -1};
-    out = {in[0] < 0 ? -1 : at->heap()};
+    const bool counts = share(i, k) > 0.0;
+    in = {counts ? at->phi(i, k) : -1, counts ? at->heap() : -1};
+    out = {in[1]};
   }
   template <class S>
   void evaluate(const Context& c, Index number, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const auto [i, k] = place(number);
-    const double height = share(i, k) * grid().dx(i) * grid().dz(k) / mesh->jet().slot_width();
-    out[0] -= (height / c.fall_time()) * smooth_step(S((in.y[0] - jet_phi) / (heap_phi - jet_phi)));
+    const JetRegion& jet = mesh->jet();
+    const double Z = jet.height(grid().x_centre(i), grid().z_centre(k));
+    const double power = share(i, k) * grid().dx(i) * grid().dz(k) / jet.width() * 4.0 * Z * Z * Z;
+    const S H = in.y[1] + jet.clearance();
+    out[0] -= (power / c.fall_time()) * smooth_step(S((in.y[0] - jet_phi) / (heap_phi - jet_phi))) / (4.0 * H * H * H);
   }
 
  private:
   [[nodiscard]] double share(int i, int k) const {
-    return mesh->jet().share_under_slot(grid().x_centre(i), grid().z_centre(k), grid().dx(i), grid().dz(k));
+    const double x = grid().x_centre(i), z = grid().z_centre(k);
+    return mesh->jet().height(x, z) > 0.0 ? mesh->jet().share_of_cell(x, z, grid().dx(i), grid().dz(k)) : 0.0;
   }
 };
 
@@ -129,7 +135,8 @@ struct HeapRelaxation : Kernel {
   }
   template <class S>
   void evaluate(const Context& c, Index, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
-    out[0] += in.y[0] / c.fall_time();
+    const S reach = in.y[0] + mesh->jet().clearance(), HH = in.y[0] * in.y[0];
+    out[0] += HH * HH / (4.0 * reach * reach * reach * c.fall_time());
   }
 };
 
