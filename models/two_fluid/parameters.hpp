@@ -20,7 +20,7 @@ struct Air {
 };
 
 /// What keeps grains and air apart.
-enum class Sharpening : std::uint8_t { none, segregation };
+enum class Sharpening : std::uint8_t { none, segregation, counter_gradient };
 /// Along which the grains are parted from the air: gravity, as in (5.2), or the normal of the base.
 enum class Direction : std::uint8_t { gravity, base_normal };
 /// How phi on a face follows from the cells: first order, or second order where phi is smooth.
@@ -41,6 +41,7 @@ struct Grid {
 struct Numerics {
   Sharpening sharpening = Sharpening::segregation;
   double segregation_speed = 0.1;  ///< f_ga of (5.2) [m/s]
+  double counter_gradient = 1.0;   ///< c_ag of (5.8) [1]
   Direction direction = Direction::gravity;
   Transport transport = Transport::limited;
   Averaging averaging = Averaging::arithmetic;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "two_fluid/terms/counter_gradient.hpp"
 #include "two_fluid/terms/forces.hpp"
 #include "two_fluid/terms/inertia.hpp"
 #include "two_fluid/terms/stress.hpp"
@@ -46,6 +47,10 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
   const auto at = [&](const std::vector<Place>& places) { return Kernel{&mesh, &unknowns, &places}; };
   add(TransportAlong{at(mesh.faces())});
   add(TransportUp{at(mesh.interfaces())});
+  if (par.numerics.sharpening == Sharpening::counter_gradient) {
+    add(CounterGradientAlong{at(mesh.faces())});
+    add(CounterGradientUp{at(mesh.interfaces())});
+  }
   add(Storage{at(mesh.cells())});
   Rates rates{at(mesh.cells()), {}};
   for (const Index row :

@@ -20,9 +20,10 @@ struct Simulation {
 /// One rung of the ladder that a scene can ask for.
 struct Model {
   std::string name;
-  std::string doc;          ///< one line
-  bool has_columns;         ///< needs `grid.columns`
-  bool starts_dry = false;  ///< without an initial thickness the box is empty; else it holds the film
+  std::string doc;   ///< one line
+  bool has_columns;  ///< needs `grid.columns`
+  bool fixed_grid =
+      false;  ///< cells fill the box, which is empty unless an initial thickness is stated; else layers fill the film
   /// Adds to `problems` what of the scene this model cannot represent. The scene need not have its recording yet.
   void (*check)(const Scene& scene, const config::Values& values, config::Problems& problems);
   Simulation (*build)(const Scene& scene);

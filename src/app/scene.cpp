@@ -103,7 +103,7 @@ experiment::Motion motion_of(const Values& v) {
 }
 
 Initial initial_of(const Values& v, const Scene& scene) {
-  const double unstated = model(scene.model).starts_dry ? 0.0 : scene.numerics.film;
+  const double unstated = model(scene.model).fixed_grid ? 0.0 : scene.numerics.film;
   return {.thickness = number_or(v, "model.initial_thickness", unstated),
           .state = words::meaning(words::initial_states, v.text("initial.state")),
           .profile = given_at(v, "initial.depths", "initial.speeds", 1.0),
@@ -138,6 +138,7 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   two_fluid::Numerics n;
   n.sharpening = words::meaning(words::sharpenings, v.text("two_fluid.sharpening"));
   n.segregation_speed = v.number("two_fluid.segregation_speed");
+  n.counter_gradient = v.number("two_fluid.counter_gradient");
   n.direction = words::meaning(words::directions, v.text("two_fluid.direction"));
   n.transport = words::meaning(words::transports, v.text("two_fluid.transport"));
   n.averaging = words::meaning(words::averagings, v.text("two_fluid.averaging"));
@@ -146,7 +147,7 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   n.return_speed = v.number("two_fluid.return_speed");
   n.x_grading = v.number("two_fluid.x_grading");
   n.z_grading = v.number("two_fluid.z_grading");
-  n.atol_fraction = v.number("two_fluid.atol_fraction");
+  n.atol_fraction = number_or(v, "two_fluid.atol_fraction", 10.0 * v.number("integrator.rtol"));
   n.inlet_fraction = v.number("two_fluid.inlet_fraction");
   n.jet_margin = v.number("two_fluid.jet_margin");
   n.jet_clearance = v.number("two_fluid.jet_clearance");

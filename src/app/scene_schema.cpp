@@ -143,9 +143,11 @@ void numerics(Schema& s) {
 
   s.section("two_fluid",
             "numerics of model.name = \"two_fluid\": grains and air on a grid of columns and layers over the box");
-  s.add(choice("sharpening", words::of(words::sharpenings), "what keeps grains and air apart: nothing, or (5.13)")
+  s.add(choice("sharpening", words::of(words::sharpenings),
+               "what keeps grains and air apart: nothing, (5.13), or the counter-gradient (5.8)")
             .fallback(std::string("segregation")));
   s.add(number("segregation_speed", "m/s", "f_ga of (5.13)").at_least(0.0).fallback(0.1));
+  s.add(number("counter_gradient", "1", "c_ag of (5.8)").at_least(0.0).fallback(1.0));
   s.add(choice("direction", words::of(words::directions), "e of (5.13): along gravity, or normal to the base")
             .fallback(std::string("gravity")));
   s.add(choice("transport", words::of(words::transports),
@@ -161,7 +163,7 @@ void numerics(Schema& s) {
             .fallback(0.1));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
-  s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).fallback(1e-3));
+  s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).optional("rtol times 10"));
   s.add(number("inlet_fraction", "1", "volume fraction of the grains as they are poured")
             .above(0.0)
             .at_most(1.0)

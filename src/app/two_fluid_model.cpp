@@ -54,7 +54,7 @@ Model two_fluid_model() {
   return {.name = "two_fluid",
           .doc = "grains and air on a fixed grid, in two dimensions: jets, splashes, surfaces that overturn",
           .has_columns = true,
-          .starts_dry = true,
+          .fixed_grid = true,
           .check = check,
           .build = build};
 }
@@ -72,7 +72,8 @@ two_fluid::Parameters make_two_fluid_parameters(const Scene& scene) {
       .thickness = scene.initial.thickness,
       .atol_velocity = scene.integration.atol_velocity,
       .atol_pressure = scene.integration.atol_pressure,
-      .atol_height = scene.integration.atol_height};
+      .atol_height = scene.integration.atol_height,
+      .atol_mass = scene.integration.atol_mass};
   par.numerics.advection = advection_of(scene.numerics.advection);
   return par;
 }

@@ -24,8 +24,10 @@ inline constexpr Table<rheology::Cap, 3> caps{
     {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
 inline constexpr Table<layer::Advection, 3> advections{
     {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"central", layer::Advection::central}}};
-inline constexpr Table<two_fluid::Sharpening, 2> sharpenings{
-    {{"none", two_fluid::Sharpening::none}, {"segregation", two_fluid::Sharpening::segregation}}};
+inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
+    {{"none", two_fluid::Sharpening::none},
+     {"segregation", two_fluid::Sharpening::segregation},
+     {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
 inline constexpr Table<two_fluid::Direction, 2> directions{
     {{"gravity", two_fluid::Direction::gravity}, {"base_normal", two_fluid::Direction::base_normal}}};
 inline constexpr Table<two_fluid::Transport, 2> transports{

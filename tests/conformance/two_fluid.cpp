@@ -38,6 +38,7 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
                                    {"two_fluid.base_film=true"},
                                    {"two_fluid.direction=base_normal"},
                                    {"two_fluid.sharpening=none"},
+                                   {"two_fluid.sharpening=counter_gradient"},
                                    {"model.advection=none"},
                                    {"model.advection=central"},
                                    {"two_fluid.x_grading=3", "two_fluid.z_grading=5"},
@@ -73,7 +74,10 @@ TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
 
 /// What enters or leaves is all that changes: grains and volume.
 TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
-  for (const Settings& settings : {Settings{}, {"two_fluid.transport=upwind"}, {"two_fluid.z_grading=4"}}) {
+  for (const Settings& settings : {Settings{},
+                                   {"two_fluid.transport=upwind"},
+                                   {"two_fluid.sharpening=counter_gradient"},
+                                   {"two_fluid.z_grading=4"}}) {
     const TwoFluid system(heap(20, 12, settings));
     State state(system, 5);
     std::ranges::fill(state.yp, 0.0);

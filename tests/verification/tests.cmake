@@ -27,3 +27,5 @@ talus_test(verification layer_fine_grids ROOMS layer ida bridge kinsol diagnosti
 talus_test(verification layer_shear_cell ROOMS layer ida bridge kinsol diagnostics)
 talus_test(verification two_fluid_box ROOMS app)
 talus_test(verification two_fluid_jet ROOMS app)
+talus_test(verification two_fluid_heap ROOMS app)
+talus_test(verification two_fluid_sharpening ROOMS app)
