@@ -6,11 +6,12 @@
 #include "app/column_model.hpp"
 #include "app/layer_model.hpp"
 #include "app/triangle_model.hpp"
+#include "app/two_fluid_model.hpp"
 
 namespace talus::app {
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{triangle_model(), column_model(), layer_model()};
+  static const std::vector<Model> all{triangle_model(), column_model(), layer_model(), two_fluid_model()};
   return all;
 }
 

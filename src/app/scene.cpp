@@ -103,7 +103,8 @@ experiment::Motion motion_of(const Values& v) {
 }
 
 Initial initial_of(const Values& v, const Scene& scene) {
-  return {.thickness = number_or(v, "model.initial_thickness", scene.numerics.film),
+  const double unstated = model(scene.model).fixed_grid ? 0.0 : scene.numerics.film;
+  return {.thickness = number_or(v, "model.initial_thickness", unstated),
           .state = words::meaning(words::initial_states, v.text("initial.state")),
           .profile = given_at(v, "initial.depths", "initial.speeds", 1.0),
           .tilt = v.has("initial.tilt") ? v.number("initial.tilt") * degree : scene.box.tilt};
@@ -131,6 +132,29 @@ layer::Numerics numerics_of(const Values& v) {
           .jump_from = v.number("model.jump_from"),
           .jump_to = v.number("model.jump_to"),
           .film_speed = v.number("model.film_speed")};
+}
+
+two_fluid::Numerics two_fluid_of(const Values& v) {
+  two_fluid::Numerics n;
+  n.sharpening = words::meaning(words::sharpenings, v.text("two_fluid.sharpening"));
+  n.segregation_speed = v.number("two_fluid.segregation_speed");
+  n.counter_gradient = v.number("two_fluid.counter_gradient");
+  n.direction = words::meaning(words::directions, v.text("two_fluid.direction"));
+  n.transport = words::meaning(words::transports, v.text("two_fluid.transport"));
+  n.averaging = words::meaning(words::averagings, v.text("two_fluid.averaging"));
+  n.base_film = v.boolean("two_fluid.base_film");
+  n.upwind_speed = v.number("two_fluid.upwind_speed");
+  n.return_speed = v.number("two_fluid.return_speed");
+  n.x_grading = v.number("two_fluid.x_grading");
+  n.z_grading = v.number("two_fluid.z_grading");
+  n.atol_fraction = number_or(v, "two_fluid.atol_fraction", 10.0 * v.number("integrator.rtol"));
+  n.inlet_fraction = v.number("two_fluid.inlet_fraction");
+  n.jet_margin = v.number("two_fluid.jet_margin");
+  n.jet_clearance = v.number("two_fluid.jet_clearance");
+  n.air = {.rho = v.number("two_fluid.air_density"),
+           .eta = v.number("two_fluid.air_viscosity"),
+           .drag_viscosity = v.number("two_fluid.air_drag_viscosity")};
+  return n;
 }
 
 Integration integration_of(const Values& v) {
@@ -179,6 +203,7 @@ Scene scene_of(const Values& v) {
   scene.inflow = inflow_of(v);
   scene.model = v.text("model.name");
   scene.numerics = numerics_of(v);
+  scene.two_fluid = two_fluid_of(v);
   scene.initial = initial_of(v, scene);
   scene.left_slope =
       v.has("model.left_slope") ? v.number("model.left_slope") * degree : std::atan(v.number("rheology.mu_s"));

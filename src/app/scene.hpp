@@ -11,6 +11,7 @@
 #include "ida/options.hpp"
 #include "layer/parameters.hpp"
 #include "linear/direct_solver.hpp"
+#include "two_fluid/parameters.hpp"
 
 namespace talus::app {
 
@@ -81,6 +82,7 @@ struct Scene {
   experiment::Inflow inflow;
   std::string model;
   layer::Numerics numerics;
+  two_fluid::Numerics two_fluid;
   Initial initial;
   double left_slope;  ///< of the triangle's left face against the horizontal [rad]
   Cells cells;

@@ -141,6 +141,43 @@ void numerics(Schema& s) {
             .below(90.0)
             .optional("the angle of repose, atan(rheology.mu_s)"));
 
+  s.section("two_fluid",
+            "numerics of model.name = \"two_fluid\": grains and air on a grid of columns and layers over the box");
+  s.add(choice("sharpening", words::of(words::sharpenings),
+               "what keeps grains and air apart: nothing, (5.13), or the counter-gradient (5.8)")
+            .fallback(std::string("segregation")));
+  s.add(number("segregation_speed", "m/s", "f_ga of (5.13)").at_least(0.0).fallback(0.1));
+  s.add(number("counter_gradient", "1", "c_ag of (5.8)").at_least(0.0).fallback(1.0));
+  s.add(choice("direction", words::of(words::directions), "e of (5.13): along gravity, or normal to the base")
+            .fallback(std::string("gravity")));
+  s.add(choice("transport", words::of(words::transports),
+               "volume fractions on faces: second order with a smooth limiter, or first-order upwind")
+            .fallback(std::string("limited")));
+  s.add(choice("averaging", words::of(words::averagings), "of the viscosities of grains and air: (5.7), or harmonic")
+            .fallback(std::string("arithmetic")));
+  s.add(boolean("base_film", "grains that do not fill the cells on the base lie there as a film of its own thickness")
+            .fallback(false));
+  s.add(number("upwind_speed", "m/s", "over which the giving side of a flux changes").above(0.0).fallback(1e-8));
+  s.add(number("return_speed", "m/s", "at which volume fractions out of [0, 1] are evened out; 0: not at all")
+            .at_least(0.0)
+            .fallback(0.1));
+  s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
+  s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
+  s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).optional("rtol times 10"));
+  s.add(number("inlet_fraction", "1", "volume fraction of the grains as they are poured")
+            .above(0.0)
+            .at_most(1.0)
+            .fallback(0.2));
+  s.add(number("jet_margin", "m", "of the jet region beyond the inlet's edges, across gravity (5.11)")
+            .at_least(0.0)
+            .fallback(0.025));
+  s.add(number("jet_clearance", "m", "of the jet region above the heap (5.12)").above(0.0).fallback(0.02));
+  s.add(number("air_density", "kg/m3", "of the excess air").above(0.0).fallback(1.0));
+  s.add(number("air_viscosity", "Pa s", "of the excess air, thickened to calm it").above(0.0).fallback(1e-2));
+  s.add(number("air_drag_viscosity", "Pa s", "in the drag 12 eta/W^2 of the side walls on the air; 0: none")
+            .at_least(0.0)
+            .fallback(1.81e-5));
+
   s.section("initial", "how the grains move at the start");
   const auto starts = [](const char* state) {
     return [state](const Values& v) { return v.text("initial.state") == state; };

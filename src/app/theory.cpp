@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <iterator>
 
+#include "app/models.hpp"
 #include "grid/layering.hpp"
+#include "grid/rectilinear.hpp"
 #include "steady/regularised_profile.hpp"
 #include "steady/slope.hpp"
 
@@ -121,6 +123,15 @@ void left_to_itself(const Scene& s, Theory& theory) {
 /// count.
 double layers_within(const Scene& s, double depth, double H) {
   const int n = s.cells.layers;
+  if (model(s.model).fixed_grid) {
+    const auto nodes = grid::geometric_nodes(n, s.box.height, s.two_fluid.z_grading);
+    double count = 0.0;
+    for (int k = 0; k < n; ++k) {
+      const double within = std::min(nodes[k + 1], H) - std::max(nodes[k], H - depth);
+      count += std::max(within, 0.0) / (nodes[k + 1] - nodes[k]);
+    }
+    return count;
+  }
   std::vector<double> z(static_cast<std::size_t>(n) + 1), dz(z), d2z(z);
   grid::Layering(n, experiment::normal_thickness(s.box, s.cells.cluster_depth), s.cells.spacing).heights(H, z, dz, d2z);
   for (std::size_t k = z.size() - 1; k > 0; --k) {

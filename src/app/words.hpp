@@ -12,6 +12,7 @@
 #include "ida/options.hpp"
 #include "layer/parameters.hpp"
 #include "linear/direct_solver.hpp"
+#include "two_fluid/parameters.hpp"
 
 /// The words of a scene file that stand for a case of the code, each pair once.
 namespace talus::app::words {
@@ -23,6 +24,16 @@ inline constexpr Table<rheology::Cap, 3> caps{
     {{"none", rheology::Cap::none}, {"hard", rheology::Cap::hard}, {"smooth", rheology::Cap::smooth}}};
 inline constexpr Table<layer::Advection, 3> advections{
     {{"none", layer::Advection::none}, {"upwind", layer::Advection::upwind}, {"central", layer::Advection::central}}};
+inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
+    {{"none", two_fluid::Sharpening::none},
+     {"segregation", two_fluid::Sharpening::segregation},
+     {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
+inline constexpr Table<two_fluid::Direction, 2> directions{
+    {{"gravity", two_fluid::Direction::gravity}, {"base_normal", two_fluid::Direction::base_normal}}};
+inline constexpr Table<two_fluid::Transport, 2> transports{
+    {{"limited", two_fluid::Transport::limited}, {"upwind", two_fluid::Transport::upwind}}};
+inline constexpr Table<two_fluid::Averaging, 2> averagings{
+    {{"arithmetic", two_fluid::Averaging::arithmetic}, {"harmonic", two_fluid::Averaging::harmonic}}};
 inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},

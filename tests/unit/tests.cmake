@@ -1,5 +1,7 @@
 talus_test(unit dual ROOMS core)
 talus_test(unit fv_operator ROOMS core fv)
+talus_test(unit fv_sharp_transport ROOMS core fv)
+talus_test(unit grid_rectilinear ROOMS grid)
 talus_test(unit polynomial ROOMS core)
 talus_test(unit config_read ROOMS config)
 talus_test(unit config_spelling ROOMS config)

@@ -30,3 +30,7 @@ talus_test(verification layer_modes ROOMS layer steady ida kinsol modes diagnost
 talus_test(verification layer_modes_fine ROOMS layer steady ida kinsol modes diagnostics LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(verification study_wellposed PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(verification heap_modes ROOMS app ida kinsol modes)
+talus_test(verification two_fluid_box ROOMS app)
+talus_test(verification two_fluid_jet ROOMS app)
+talus_test(verification two_fluid_heap ROOMS app)
+talus_test(verification two_fluid_sharpening ROOMS app)

@@ -1,0 +1,272 @@
+#include "two_fluid/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "diagnostics/heap_shape.hpp"
+#include "diagnostics/ill_posedness.hpp"
+#include "two_fluid/cell_state.hpp"
+
+namespace talus::two_fluid {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// One evaluation: the state, and its cells and columns once for all fields.
+struct View {
+  const TwoFluid& system;
+  const core::Snapshot& snapshot;
+  std::vector<CellState> cells;  ///< shape (n_layers, n_columns)
+  std::vector<double> H;
+  std::optional<diagnostics::Face> face;
+  diagnostics::Apex apex{0, nothing, nothing};
+  diagnostics::IllPosedness ill_posed;
+
+  [[nodiscard]] const grid::Rectilinear& grid() const { return system.mesh().grid(); }
+  [[nodiscard]] double read(Index index) const { return fv::read(snapshot.y, index); }
+  [[nodiscard]] double rate(Index index) const { return fv::read(snapshot.yp, index); }
+  [[nodiscard]] const CellState& cell(int i, int k) const { return cells[std::size_t(k) * grid().n_columns() + i]; }
+  [[nodiscard]] double area(int i, int k) const { return grid().dx(i) * grid().dz(k); }
+  /// `value` of each cell times its area, times what a unit area of grains weighs [kg].
+  [[nodiscard]] double mass(const std::function<double(const CellState&)>& value) const {
+    double sum = 0.0;
+    for (const auto [i, k] : system.mesh().cells()) sum += area(i, k) * value(cell(i, k));
+    return sum * system.parameters().grains.rho() * system.parameters().box.gap;
+  }
+};
+
+/// Flowing are cells of grains faster than 1 % of the fastest one of their column.
+diagnostics::IllPosedness ill_posedness_of(const View& v) {
+  constexpr double slowest = 0.01;
+  std::vector<double> I, area;
+  for (int i = 0; i < v.grid().n_columns(); ++i) {
+    const auto speed = [&](int k) {
+      return v.cell(i, k).phi > dense ? std::hypot(v.cell(i, k).u, v.cell(i, k).w) : 0.0;
+    };
+    double fastest = 0.0;
+    for (int k = 0; k < v.grid().n_layers(); ++k) fastest = std::max(fastest, speed(k));
+    for (int k = 0; k < v.grid().n_layers(); ++k) {
+      if (!(speed(k) > slowest * fastest)) continue;
+      I.push_back(v.cell(i, k).I);
+      area.push_back(v.area(i, k));
+    }
+  }
+  return diagnostics::ill_posedness(v.system.parameters().law, I, area);
+}
+
+View make_view(const TwoFluid& system, const core::Snapshot& snapshot) {
+  View v{system, snapshot, {}, {}, {}, {0, nothing, nothing}, {}};
+  const Context context = system.context(snapshot.t);
+  const auto& g = v.grid();
+  for (int k = 0; k < g.n_layers(); ++k)
+    for (int i = 0; i < g.n_columns(); ++i) v.cells.push_back(cell_state(system, context, snapshot.y, i, k));
+  for (int i = 0; i < g.n_columns(); ++i) v.H.push_back(heap_height(system, snapshot.y, i));
+  if (g.n_columns() >= 3 && !g.periodic && system.parameters().grid.x_ratio == 1.0) {
+    const diagnostics::Surface surface{g.dx(0), system.parameters().box.tilt, v.H};
+    v.apex = diagnostics::apex(surface);
+    v.face = diagnostics::right_face(surface);
+  }
+  v.ill_posed = ill_posedness_of(v);
+  return v;
+}
+
+using Dimensions = std::vector<std::string>;
+using Fill = std::function<void(const View&, std::vector<double>&)>;
+
+struct Entry {
+  core::Variable variable;
+  Fill fill;
+};
+
+/// A value a place, in row-major order: columns or faces, layers, interfaces or one row.
+Fill over(bool faces, int rows_beyond_layers, bool flat, std::function<double(const View&, int, int)> value) {
+  return [=](const View& v, std::vector<double>& out) {
+    const int n = v.grid().n_columns() + (faces ? 1 : 0), rows = flat ? 1 : v.grid().n_layers() + rows_beyond_layers;
+    out.clear();
+    for (int k = 0; k < rows; ++k)
+      for (int i = 0; i < n; ++i) out.push_back(value(v, i, k));
+  };
+}
+Fill number(std::function<double(const View&)> value) {
+  return [=](const View& v, std::vector<double>& out) { out.assign(1, value(v)); };
+}
+
+std::vector<Entry> coordinates() {
+  const auto as_double = core::Storage::double_precision;
+  const std::map<std::string, std::string> sgrid{
+      {"cf_role", "grid_topology"},
+      {"topology_dimension", "2"},
+      {"node_dimensions", "face interface"},
+      {"face_dimensions", "column: face (padding: none) layer: interface (padding: none)"},
+      {"edge1_dimensions", "face layer: interface (padding: none)"},
+      {"edge2_dimensions", "interface column: face (padding: none)"},
+      {"node_coordinates", "x_face z_node"},
+      {"face_coordinates", "x z"}};
+  const std::map<std::string, std::string> upwards{{"axis", "Z"}, {"positive", "up"}};
+  return {
+      {{"grid", {}, "1", "staggered grid of columns and layers", as_double, true, sgrid},
+       number([](const View&) { return 0.0; })},
+      {{"x", {"column"}, "m", "distance down the base to the middle of the column", as_double, true, {{"axis", "X"}}},
+       over(false, 0, true, [](const View& v, int i, int) { return v.grid().x_centre(i); })},
+      {{"x_face", {"face"}, "m", "distance down the base to the face", as_double, true, {}},
+       over(true, 0, true, [](const View& v, int i, int) { return v.grid().x_nodes[i]; })},
+      {{"z", {"layer", "column"}, "m", "height of the cell's middle, normal to the base", as_double, false, upwards},
+       over(false, 0, false, [](const View& v, int, int k) { return v.grid().z_centre(k); })},
+      {{"z_node", {"interface", "face"}, "m", "height of the cell's corner, normal to the base", as_double, false, {}},
+       over(true, 1, false, [](const View& v, int, int k) { return v.grid().z_nodes[k]; })}};
+}
+
+std::vector<Entry> cell_fields() {
+  const auto field = [](const char* name, const char* unit, const char* long_name,
+                        std::function<double(const CellState&)> value) {
+    return Entry{{name,
+                  {"layer", "column"},
+                  unit,
+                  long_name,
+                  core::Storage::single_precision,
+                  false,
+                  {{"coordinates", "x z"}, {"grid", "grid"}, {"location", "face"}}},
+                 over(false, 0, false, [=](const View& v, int i, int k) { return value(v.cell(i, k)); })};
+  };
+  using C = CellState;
+  return {
+      field("phi", "1", "volume fraction of the grains", [](const C& s) { return s.phi; }),
+      field("u_centre", "m s-1", "velocity down the base, in the cell's middle", [](const C& s) { return s.u; }),
+      field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", [](const C& s) { return s.w; }),
+      field("speed", "m s-1", "speed of the mixture", [](const C& s) { return std::hypot(s.u, s.w); }),
+      field("pressure", "Pa", "pressure", [](const C& s) { return s.p; }),
+      field("strain_rate", "s-1", "second invariant of the strain rate, D_norm (3.13)",
+            [](const C& s) { return s.D_norm; }),
+      field("inertial_number", "1", "inertial number I (3.15) of the grains, as regularised",
+            [](const C& s) { return s.I; }),
+      field("friction", "1", "internal friction mu(I) of the grains", [](const C& s) { return s.mu; }),
+      field("viscosity", "Pa s", "granular viscosity eta (3.17), as regularised", [](const C& s) { return s.eta; }),
+      field("mixture_viscosity", "Pa s", "viscosity of the mixture of grains and air (5.7)",
+            [](const C& s) { return s.eta_mixture; }),
+      field("cap_active", "1", "1 where the viscosity cap takes away more than half, in cells of grains",
+            [](const C& s) { return s.capped ? 1.0 : 0.0; }),
+      field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", [](const C& s) { return s.C; }),
+      field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
+            [](const C& s) { return s.q; })};
+}
+
+std::vector<Entry> native_fields() {
+  const auto native = [](const char* name, Dimensions dimensions, const char* long_name, const char* location,
+                         Fill fill) {
+    return Entry{{name,
+                  std::move(dimensions),
+                  "m s-1",
+                  long_name,
+                  core::Storage::single_precision,
+                  false,
+                  {{"grid", "grid"}, {"location", location}}},
+                 std::move(fill)};
+  };
+  return {
+      native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
+             over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.system.unknowns().u(f, k)); })),
+      native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
+             over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.system.unknowns().w(i, k)); }))};
+}
+
+std::vector<Entry> lines() {
+  return {{{"height",
+            {"column"},
+            "m",
+            "thickness of the grains on the base, up to the first cell that they do not fill half",
+            core::Storage::double_precision,
+            false,
+            {{"coordinates", "x"}}},
+           [](const View& v, std::vector<double>& out) { out = v.H; }}};
+}
+
+std::vector<Entry> numbers(double first_mass) {
+  const auto one = [](const char* name, const char* unit, const char* long_name,
+                      std::function<double(const View&)> value) {
+    return Entry{{name, {}, unit, long_name, core::Storage::double_precision, false, {}}, number(std::move(value))};
+  };
+  const auto of = [](Index (Unknowns::*index)() const) {
+    return [index](const View& v) { return v.read((v.system.unknowns().*index)()); };
+  };
+  const auto rate_of = [](Index (Unknowns::*index)() const) {
+    return [index](const View& v) { return v.rate((v.system.unknowns().*index)()); };
+  };
+  const auto stored = [](const View& v) { return v.mass([](const CellState& s) { return s.phi; }); };
+  const auto extreme = [](double sign) {
+    return [sign](const View& v) {
+      double most = -std::numeric_limits<double>::infinity();
+      for (const auto& s : v.cells) most = std::max(most, sign * s.phi);
+      return sign * most;
+    };
+  };
+  constexpr double to_degrees = 180.0 / std::numbers::pi;
+  return {
+      one("mass_stored", "kg", "mass of grains in the box, in the air included", stored),
+      one("mass_airborne", "kg", "mass of the grains in cells that they do not fill half",
+          [](const View& v) { return v.mass([](const CellState& s) { return s.phi > dense ? 0.0 : s.phi; }); }),
+      one("mass_excess", "kg", "mass by which grains overfill cells, and that which cells lack below empty",
+          [](const View& v) {
+            return v.mass([](const CellState& s) { return std::max({s.phi - 1.0, -s.phi, 0.0}); });
+          }),
+      one("phi_min", "1", "least volume fraction of the grains", extreme(-1.0)),
+      one("phi_max", "1", "largest volume fraction of the grains", extreme(1.0)),
+      one("mass_inflow", "kg", "mass poured in since the start", of(&Unknowns::mass_in)),
+      one("mass_outflow_left", "kg", "mass gone over the left end since the start", of(&Unknowns::mass_left)),
+      one("mass_outflow_right", "kg", "mass gone over the right end since the start", of(&Unknowns::mass_right)),
+      one("mass_outflow_top", "kg", "mass gone through the top since the start", of(&Unknowns::mass_top)),
+      one("mass_error", "kg", "stored mass less what it was at the start, less inflow, plus outflow",
+          [=](const View& v) {
+            const auto& at = v.system.unknowns();
+            return stored(v) - first_mass - v.read(at.mass_in()) + v.read(at.mass_left()) + v.read(at.mass_right()) +
+                   v.read(at.mass_top());
+          }),
+      one("inflow_rate", "kg s-1", "mass poured in per second", rate_of(&Unknowns::mass_in)),
+      one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second", rate_of(&Unknowns::mass_left)),
+      one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second", rate_of(&Unknowns::mass_right)),
+      one("jet_heap_height", "m", "height of the heap under the jet, H of (5.12)", of(&Unknowns::heap)),
+      one("heap_angle", "degree", "slope of the straight right face against the horizontal",
+          [=](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
+      one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),
+      one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
+      one("ill_posed_share", "1", "share of the flowing area in which C of (3.18) is positive",
+          [](const View& v) { return v.ill_posed.C_positive; }),
+      one("growing_share", "1", "share of the flowing area in which short waves grow by linear theory",
+          [](const View& v) { return v.ill_posed.growing; }),
+      one("not_elliptic_share", "1", "share of the flowing area in which mu - I mu'/2 is not below 1",
+          [](const View& v) { return v.ill_posed.not_elliptic; })};
+}
+
+std::vector<Entry> entries(const TwoFluid& system) {
+  const auto& par = system.parameters();
+  const double first_mass = par.thickness * par.box.length * par.grains.rho() * par.box.gap;
+  std::vector<Entry> all;
+  for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::size_t>> TwoFluidFields::dimensions() const {
+  const std::size_t nx = system_.mesh().grid().n_columns(), nz = system_.mesh().grid().n_layers();
+  return {{"column", nx}, {"face", nx + 1}, {"layer", nz}, {"interface", nz + 1}};
+}
+
+std::vector<core::Variable> TwoFluidFields::variables() const {
+  std::vector<core::Variable> out;
+  for (auto& entry : entries(system_)) out.push_back(std::move(entry.variable));
+  return out;
+}
+
+void TwoFluidFields::evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) {
+  const auto all = entries(system_);
+  const View view = make_view(system_, snapshot);
+  values.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].fill(view, values[i]);
+}
+
+}  // namespace talus::two_fluid

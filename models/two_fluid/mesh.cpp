@@ -1,0 +1,45 @@
+#include "two_fluid/mesh.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace talus::two_fluid {
+namespace {
+
+grid::Rectilinear make_grid(const Parameters& par) {
+  if (par.grid.columns < 1 || par.grid.layers < 2)
+    throw std::invalid_argument("two_fluid: needs a column and two layers");
+  return {.x_nodes = grid::geometric_nodes(par.grid.columns, par.box.length, par.grid.x_ratio),
+          .z_nodes = grid::geometric_nodes(par.grid.layers, par.box.height, par.grid.z_ratio),
+          .periodic = par.box.periodic};
+}
+
+}  // namespace
+
+Mesh::Mesh(const Parameters& par)
+    : grid_(make_grid(par)), jet_(par), left_wall_(!par.box.left_open), right_wall_(!par.box.right_open) {
+  const int nx = grid_.n_columns(), nz = grid_.n_layers();
+  if (par.inflow.rate > 0.0) {
+    const double from = par.inflow.position - 0.5 * inlet_width(par.inflow), to = from + inlet_width(par.inflow);
+    for (int i = 0; i < nx; ++i) {
+      const double overlap = std::min(to, grid_.x_nodes[i + 1]) - std::max(from, grid_.x_nodes[i]);
+      inlet_.push_back(std::max(overlap, 0.0) / grid_.dx(i));
+    }
+  }
+  for (int i = 0; i < nx; ++i) {
+    for (int k = 0; k < nz; ++k) {
+      cells_.push_back({i, k});
+      interfaces_.push_back({i, k + 1});
+    }
+  }
+  for (int f = 0; f < grid_.n_faces(); ++f) {
+    base_.push_back({f, 0});
+    for (int k = 0; k < nz; ++k) {
+      faces_.push_back({f, k});
+      if (is_amid(f, k)) corners_.push_back({f, k});
+    }
+    if (inlet_share(f - 1) > 0.0 || inlet_share(f) > 0.0) inlet_corners_.push_back({f, nz});
+  }
+}
+
+}  // namespace talus::two_fluid

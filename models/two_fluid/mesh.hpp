@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "grid/rectilinear.hpp"
+#include "two_fluid/jet_region.hpp"
+
+namespace talus::two_fluid {
+
+using grid::Index;
+
+/// A place on the grid: column or face, layer or interface.
+struct Place {
+  int i, k;
+};
+
+/// The cells, and the places at which terms act. Beyond the outermost cells, base aside, lies still air at no pressure.
+class Mesh {
+ public:
+  /// Throws std::invalid_argument where the grid has no cell.
+  explicit Mesh(const Parameters& parameters);
+
+  [[nodiscard]] const grid::Rectilinear& grid() const { return grid_; }
+  [[nodiscard]] const JetRegion& jet() const { return jet_; }
+  [[nodiscard]] bool has_cell(int i, int k) const { return grid_.has_column(i) && grid_.has_layer(k); }
+  /// A corner amid four cells: shear is transmitted there.
+  [[nodiscard]] bool is_amid(int f, int k) const {
+    return has_cell(f - 1, k - 1) && has_cell(f, k - 1) && has_cell(f - 1, k) && has_cell(f, k);
+  }
+  /// A corner on the base amid two cells, or at an open end.
+  [[nodiscard]] bool is_on_base(int f, int k) const { return k == 0 && grid_.has_face(f); }
+  /// Share of the top of column i through which grains are poured [1].
+  [[nodiscard]] double inlet_share(int i) const { return inlet_.empty() ? 0.0 : inlet_[grid_.column(i)]; }
+  [[nodiscard]] bool is_inlet(int i, int k) const { return k == grid_.n_layers() && inlet_share(i) > 0.0; }
+  /// A wall: nothing passes.
+  [[nodiscard]] bool is_wall(int f) const {
+    return !grid_.periodic && ((f == 0 && left_wall_) || (f == grid_.n_columns() && right_wall_));
+  }
+
+  [[nodiscard]] const std::vector<Place>& cells() const { return cells_; }
+  [[nodiscard]] const std::vector<Place>& faces() const { return faces_; }            ///< of columns: where u is
+  [[nodiscard]] const std::vector<Place>& interfaces() const { return interfaces_; }  ///< above the base: where w is
+  [[nodiscard]] const std::vector<Place>& corners() const { return corners_; }        ///< amid four cells
+  [[nodiscard]] const std::vector<Place>& base() const { return base_; }              ///< corners on the base
+  [[nodiscard]] const std::vector<Place>& inlet_corners() const { return inlet_corners_; }
+
+ private:
+  grid::Rectilinear grid_;
+  JetRegion jet_;
+  bool left_wall_, right_wall_;
+  std::vector<double> inlet_;
+  std::vector<Place> cells_, faces_, interfaces_, corners_, base_, inlet_corners_;
+};
+
+}  // namespace talus::two_fluid

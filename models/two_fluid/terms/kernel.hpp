@@ -1,0 +1,33 @@
+#pragma once
+
+#include "fv/term.hpp"
+#include "two_fluid/context.hpp"
+#include "two_fluid/unknowns.hpp"
+
+namespace talus::two_fluid {
+
+/// What every kernel has: the mesh, the numbers of the unknowns, and the places at which it acts. All outlive it.
+struct Kernel {
+  static constexpr bool uses_rate = false;
+  const Mesh* mesh;
+  const Unknowns* at;
+  const std::vector<Place>* places;
+
+  [[nodiscard]] Index n_places() const { return static_cast<Index>(places->size()); }
+  [[nodiscard]] Place place(Index number) const { return (*places)[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const grid::Rectilinear& grid() const { return mesh->grid(); }
+
+  /// Volume of the cell (i, k) that belongs to the momentum volume of a face or interface beside it [m2]; 0 for no cell.
+  [[nodiscard]] double half_cell(int i, int k) const {
+    return mesh->has_cell(i, k) ? 0.5 * grid().dx(i) * grid().dz(k) : 0.0;
+  }
+  /// The heap's height, where the jet region's edge can pass the face (f, k) or the interface (i, k); else no input.
+  [[nodiscard]] Index heap_at_face(int f, int k) const {
+    return mesh->jet().in_corridor(grid().x_nodes[grid().face(f)], grid().z_centre(k)) ? at->heap() : -1;
+  }
+  [[nodiscard]] Index heap_at_interface(int i, int k) const {
+    return mesh->jet().in_corridor(grid().x_centre(grid().column(i)), grid().z_nodes[k]) ? at->heap() : -1;
+  }
+};
+
+}  // namespace talus::two_fluid

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "app/two_fluid_model.hpp"
+#include "support/example_scene.hpp"
+#include "support/random_state.hpp"
+#include "two_fluid/fields.hpp"
+#include "two_fluid/two_fluid.hpp"
+
+/// What the two-fluid model alone can promise.
+namespace {
+
+using namespace talus;
+using two_fluid::TwoFluid;
+using Settings = std::vector<std::string>;
+
+two_fluid::Parameters heap(int columns, int layers, Settings settings = {}) {
+  return app::make_two_fluid_parameters(
+      tests::Case{"two_fluid", "heap_q46"}.read(columns, layers, std::move(settings)));
+}
+
+struct State {
+  std::vector<double> y, yp, r;
+  State(const TwoFluid& system, unsigned seed, double speed = 0.3) : r(system.layout().size()) {
+    tests::RandomState{speed}.fill(system, seed, y, yp);
+    system.residual(0.1, y, yp, r);
+  }
+};
+
+/// The Jacobian with each switch of the model.
+TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
+  for (const Settings& settings : {Settings{"two_fluid.transport=upwind"},
+                                   {"two_fluid.averaging=harmonic"},
+                                   {"two_fluid.base_film=true"},
+                                   {"two_fluid.direction=base_normal"},
+                                   {"two_fluid.sharpening=none"},
+                                   {"two_fluid.sharpening=counter_gradient"},
+                                   {"model.advection=none"},
+                                   {"model.advection=central"},
+                                   {"two_fluid.x_grading=3", "two_fluid.z_grading=5"},
+                                   {"box.left=wall"},
+                                   {"two_fluid.jet_clearance=0.2"},
+                                   {"box.tilt=-20", "inflow.position=0.4"}}) {
+    const TwoFluid system(heap(9, 5, settings));
+    for (const unsigned seed : {1U, 2U}) {
+      const State state(system, seed);
+      core::Index worst = 0;
+      EXPECT_LT(tests::jacobian_error(system, 0.1, state.y, state.yp, 50.0, worst), 1e-6)
+          << settings[0] << ", seed " << seed << ": " << system.describe(worst);
+    }
+  }
+}
+
+TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
+  for (const char* periodic : {"false", "true"}) {
+    auto par = heap(7, 5);
+    par.box.periodic = std::string(periodic) == "true";
+    const TwoFluid system(par);
+    const auto& at = system.unknowns();
+    std::vector<int> owners(system.layout().size(), 0);
+    const auto own = [&](core::Index number) {
+      if (number >= 0) ++owners.at(number);
+    };
+    for (const auto [f, k] : system.mesh().faces()) own(at.u(f, k));
+    for (const auto [i, k] : system.mesh().cells()) own(at.w(i, k + 1)), own(at.phi(i, k)), own(at.p(i, k));
+    for (const auto number : {at.mass_in(), at.mass_left(), at.mass_right(), at.mass_top(), at.heap()}) own(number);
+    for (std::size_t i = 0; i < owners.size(); ++i) EXPECT_EQ(owners[i], 1) << i;
+  }
+}
+
+/// What enters or leaves is all that changes: grains and volume.
+TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
+  for (const Settings& settings : {Settings{},
+                                   {"two_fluid.transport=upwind"},
+                                   {"two_fluid.sharpening=counter_gradient"},
+                                   {"two_fluid.z_grading=4"}}) {
+    const TwoFluid system(heap(20, 12, settings));
+    State state(system, 5);
+    std::ranges::fill(state.yp, 0.0);
+    system.residual(0.1, state.y, state.yp, state.r);
+    const auto& at = system.unknowns();
+    const auto& g = system.mesh().grid();
+    double grains = 0.0, volume = 0.0, size = 0.0;
+    for (const auto [i, k] : system.mesh().cells()) {
+      grains += state.r[at.phi(i, k)];
+      volume += state.r[at.continuity(i, k)];
+      size += std::abs(state.r[at.phi(i, k)]);
+    }
+    for (int k = 0; k < g.n_layers(); ++k) volume -= g.dz(k) * (state.y[at.u(g.n_columns(), k)] - state.y[at.u(0, k)]);
+    for (int i = 0; i < g.n_columns(); ++i) volume -= g.dx(i) * state.y[at.w(i, g.n_layers())];
+    const double across = system.parameters().grains.rho() * system.parameters().box.gap;
+    grains *= across;
+    grains -= state.r[at.mass_in()];
+    for (const auto out : {at.mass_left(), at.mass_right(), at.mass_top()}) grains += state.r[out];
+    EXPECT_LT(std::abs(grains), 1e-14 * across * size);
+    EXPECT_LT(std::abs(volume), 1e-14);
+  }
+}
+
+/// Without forces the momentum along x of a closed ring changes by nothing, however grains move through it: rho du/dt + u drho/dt sums to
+/// zero where drho/dt is what transport, segregation included, says.
+TEST(TwoFluid, MomentumTelescopesWithTheMassFluxOfTransport) {
+  for (const char* transport : {"two_fluid.transport=limited", "two_fluid.transport=upwind"}) {
+    auto par = heap(12, 9, {transport, "box.periodic=true", "inflow.rate=0", "two_fluid.z_grading=3"});
+    par.box.gravity = 0.0;
+    par.wall.mu_w = 0.0;
+    par.law = rheology::Constant{0.0};
+    par.numerics.upwind_speed = 0.0;  // it leaks through a top on which w is zero
+    par.numerics.air = {.rho = 0.0, .eta = 0.0, .drag_viscosity = 0.0};
+    const TwoFluid system(par);
+    const auto& at = system.unknowns();
+    const auto& g = system.mesh().grid();
+    State state(system, 3);
+    for (int i = 0; i < g.n_columns(); ++i) state.y[at.w(i, g.n_layers())] = 0.0;
+    std::ranges::fill(state.yp, 0.0);
+    system.residual(0.1, state.y, state.yp, state.r);
+    const double rho = par.grains.rho();
+    double momentum = 0.0, size = 0.0;
+    for (const auto [f, k] : system.mesh().faces()) {
+      const double mass_rate = -0.5 * rho * (state.r[at.phi(f - 1, k)] + state.r[at.phi(f, k)]);
+      momentum += state.r[at.u(f, k)] - state.y[at.u(f, k)] * mass_rate;
+      size += std::abs(state.r[at.u(f, k)]);
+    }
+    EXPECT_GT(size, 1.0);
+    EXPECT_LT(std::abs(momentum), 1e-13 * size) << transport;
+  }
+}
+
+TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
+  const TwoFluid system(
+      heap(8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall", "box.right=wall"}));
+  std::vector<double> y(system.layout().size()), yp(y), r(y);
+  system.initial_state(0.0, y, yp);
+  system.residual(0.0, y, yp, r);
+  const double leak = system.parameters().numerics.upwind_speed * system.mesh().grid().dx(0);
+  for (core::Index i = 0; i < system.layout().size(); ++i)
+    EXPECT_LT(std::abs(r[i]), system.layout().field(i).name == "phi" ? leak : 1e-12) << system.describe(i);
+}
+
+/// Left and right are alike: box, state and residual in the mirror.
+TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
+  auto par = heap(11, 7, {"two_fluid.x_grading=2"});
+  const TwoFluid system(par);
+  par.box.tilt *= -1.0;
+  par.inflow.position = par.box.length - par.inflow.position;
+  par.grid.x_ratio = 1.0 / par.grid.x_ratio;
+  const TwoFluid mirror(par);
+  const State state(system, 4);
+  std::vector<double> y(state.y.size()), yp(y), r(y), expected(y);
+  const auto& a = system.unknowns();
+  const auto& b = mirror.unknowns();
+  const auto move = [&](core::Index from, core::Index to, double sign, double row_sign) {
+    y[to] = sign * state.y[from];
+    yp[to] = sign * state.yp[from];
+    expected[to] = row_sign * state.r[from];
+  };
+  const int nx = 11;
+  for (const auto [f, k] : system.mesh().faces()) move(a.u(f, k), b.u(nx - f, k), -1.0, -1.0);
+  for (const auto [i, k] : system.mesh().cells()) {
+    move(a.w(i, k + 1), b.w(nx - 1 - i, k + 1), 1.0, 1.0);
+    move(a.phi(i, k), b.phi(nx - 1 - i, k), 1.0, 1.0);
+    move(a.p(i, k), b.p(nx - 1 - i, k), 1.0, 1.0);
+  }
+  move(a.mass_in(), b.mass_in(), 1.0, 1.0), move(a.mass_top(), b.mass_top(), 1.0, 1.0);
+  move(a.mass_left(), b.mass_right(), 1.0, 1.0), move(a.mass_right(), b.mass_left(), 1.0, 1.0);
+  move(a.heap(), b.heap(), 1.0, 1.0);
+  mirror.residual(0.1, y, yp, r);
+  double largest = 0.0;
+  for (const double value : expected) largest = std::max(largest, std::abs(value));
+  for (core::Index i = 0; i < mirror.layout().size(); ++i)
+    EXPECT_NEAR(r[i], expected[i], 1e-12 * largest) << mirror.describe(i);
+}
+
+/// However the inlet falls on the columns, what is poured is what the scene says.
+TEST(TwoFluid, TheInletPoursItsFlow) {
+  for (const int columns : {9, 20, 60, 61}) {
+    const TwoFluid system(heap(columns, 5));
+    const auto& g = system.mesh().grid();
+    const auto context = system.context(10.0);
+    const auto& n = system.parameters().numerics;
+    double mass = 0.0;
+    for (int i = 0; i < columns; ++i)
+      mass += g.dx(i) * system.mesh().inlet_share(i) * context.inlet_speed * n.inlet_fraction * context.grains_across();
+    EXPECT_NEAR(mass, 0.0046, 1e-15) << columns;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/two_fluid_model.hpp"
+#include "ida/ida.hpp"
+#include "support/table.hpp"
+#include "two_fluid/cell_state.hpp"
+#include "two_fluid/two_fluid.hpp"
+
+/// The first seconds of the heap by two fluids, on cells of 20 mm: that it holds together, not that it is resolved.
+namespace {
+
+using namespace talus;
+
+TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
+  const auto scene =
+      app::read_scene(TALUS_SOURCE_DIR "/runs/benchmarks/two_fluid_heap.toml", {"grid.columns=30", "grid.layers=15"});
+  const two_fluid::TwoFluid system(app::make_two_fluid_parameters(scene));
+  const auto& at = system.unknowns();
+  const auto& g = system.mesh().grid();
+  std::vector<double> y(system.layout().size()), yp(y);
+  core::Observer nobody;
+  system.initial_state(0.0, y, yp);
+  ida::Ida integrator(system, app::make_integrator_options(scene));
+  integrator.start(0.0, y, yp);
+  tests::Table table("two_fluid_heap", {"t [s]", "stored [g]", "dense [g]", "left the box [g]", "highest [mm]",
+                                        "phi below 0", "phi above 1", "steps", "factorisations"});
+  double highest_before = 0.0;
+  for (const double t : {2.0, 4.0, 6.0}) {
+    integrator.advance(t, nobody);
+    const auto now = integrator.current();
+    double stored = 0.0, dense = 0.0, highest = 0.0, least = 0.0, most = 1.0;
+    for (const auto [i, k] : system.mesh().cells()) {
+      const double phi = now.y[at.phi(i, k)];
+      const double mass = phi * g.dx(i) * g.dz(k) * system.context(t).grains_across();
+      stored += mass;
+      if (phi > two_fluid::dense) dense += mass;
+      least = std::min(least, phi), most = std::max(most, phi);
+    }
+    for (int i = 0; i < 30; ++i) highest = std::max(highest, two_fluid::heap_height(system, now.y, i));
+    const double gone = now.y[at.mass_left()] + now.y[at.mass_right()] + now.y[at.mass_top()];
+    table.row({t, 1e3 * stored, 1e3 * dense, 1e3 * gone, 1e3 * highest, -least, most - 1.0,
+               double(now.statistics.steps), double(now.statistics.factorisations)});
+    EXPECT_NEAR(stored + gone, now.y[at.mass_in()], 1e-12 * now.y[at.mass_in()]);
+    EXPECT_NEAR(now.y[at.mass_in()], 0.0046 * (t - 0.1), 5e-5);  // half the ramp is lost
+    EXPECT_LT(gone, 0.1 * stored);
+    EXPECT_GT(highest, highest_before);
+    EXPECT_GE(least, -1e-6);
+    EXPECT_LE(most, 1.0 + 1e-6);
+    highest_before = highest;
+  }
+  EXPECT_GT(highest_before, 0.015);
+}
+
+}  // namespace
