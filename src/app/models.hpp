@@ -22,7 +22,7 @@ struct Model {
   std::string name;
   std::string doc;   ///< one line
   bool has_columns;  ///< needs `grid.columns`
-  bool has_layers;   ///< its cells are layers: `grid.layers` and, if it has them, columns part the grains
+  bool has_layers = false;  ///< its cells are layers: `grid.layers` and, if it has them, columns part the grains
   bool fixed_grid =
       false;  ///< cells fill the box, which is empty unless an initial thickness is stated; else layers fill the film
   /// Adds to `problems` what of the scene this model cannot represent. The scene need not have its recording yet.
