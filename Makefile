@@ -72,8 +72,9 @@ fuzz: ## feed the reader of scenes with what libFuzzer thinks up; FUZZ_SECONDS=6
 	@build/fuzz/tests/test_fuzz_scene -max_total_time=$(FUZZ_SECONDS) -max_len=8192 -timeout=20 -artifact_prefix=build/fuzz/ \
 	  -seed_inputs=$$(echo runs/examples/*.toml | tr ' ' ,) build/fuzz/corpus
 
-bench: configure ## time the kernels; never asserted
-	@cmake --build $(RELEASE) -j $(JOBS) --target bench
+bench: configure ## time kernels and small scenes, beside the last result of this machine; never asserted
+	@cmake --build $(RELEASE) -j $(JOBS) --target talus bench
+	@$(PYTHON) runs/benchmarks/bench.py --build $(RELEASE)
 
 format: ## rewrite all C++ files to .clang-format
 	@.ci/deps $(CHECK_PACKAGES)

@@ -31,7 +31,7 @@ struct Options {
   long max_steps_between_outputs = 50000;
   long max_failures_between_outputs = 1000;  ///< Newton and error test together: guards against a crawl
   NewtonOptions newton;
-  linear::Settings linear;
+  linear::Settings linear = {.accuracy = 1e-6};  ///< corrections contract: they need no more digits
 };
 
 }  // namespace talus::ida

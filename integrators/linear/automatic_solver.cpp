@@ -30,12 +30,12 @@ double banded_seconds(const BandedSolver& solver) {
   return solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries;
 }
 
-/// Two threads share the band; one of them is started anew each time.
+/// Two threads share the band; one of them is started anew each time. Single precision takes half as long.
 double condensed_seconds(const CondensedSolver& solver) {
   constexpr double start_of_a_thread = 3e-5;
-  const double width = static_cast<double>(solver.width()),
-               entries = static_cast<double>(solver.memory() / sizeof(double));
-  return 0.6 * (solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries) +
+  const auto width = static_cast<double>(solver.width()), kept = static_cast<double>(solver.n_kept());
+  const double entries = kept * (3.0 * width + 1.0), share = solver.allows_single() ? 0.3 : 0.6;
+  return share * (solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries) +
          (1.0 + solves) * start_of_a_thread;
 }
 
@@ -57,10 +57,11 @@ void AutomaticSolver::choose(std::span<const double> values) {
   const auto offer = [&](const char* name, std::unique_ptr<CheckedSolver> solver, const auto& predict) {
     trials << (trials.str().empty() ? "" : ", ") << name;
     try {
+      solver->demand(settings_.accuracy);
       solver->factor(values);
       const double seconds = predict(solver->statistics()), residual = solver->prove();
       trials << ' ' << seconds * 1e3 << " ms";
-      if (!(residual < CheckedSolver::accept_below)) {
+      if (!solver->acceptable(residual)) {
         trials << " (residual " << residual << ')';
       } else if (seconds < best) {
         best = seconds;
@@ -98,6 +99,7 @@ void AutomaticSolver::choose(std::span<const double> values) {
     offer("banded", std::move(banded), [band_seconds](const Statistics&) { return band_seconds; });
   }
   auto condensed = std::make_unique<CondensedSolver>(pattern_);
+  condensed->demand(settings_.accuracy);
   if (const double seconds = condensed_seconds(*condensed); condensed->n_kept() < pattern_.n() && seconds < best) {
     offer("condensed", std::move(condensed), [seconds](const Statistics&) { return seconds; });
   }

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace talus::linear {
+namespace {
+
+SingularMatrix not_finite() { return {"the factors give a solution that is not finite", -1}; }
+
+}  // namespace
 
 CheckedSolver::CheckedSolver(const SparsePattern& pattern)
     : pattern_(pattern),
@@ -21,6 +26,7 @@ void CheckedSolver::factor(std::span<const double> values) {
   scale_rows();
   ++statistics_.factorisations;
   first_ = true;
+  rejected_ = false;
   if (refactor()) ++statistics_.refactorisations;
   else factor_anew();
 }
@@ -29,9 +35,14 @@ void CheckedSolver::solve(std::span<double> b) {
   ++statistics_.solves;
   std::copy(b.begin(), b.end(), b_.begin());
   substitute(b);
+  if (!first_ && accuracy_ > full_accuracy) {
+    if (!std::ranges::all_of(b, [](double x) { return std::isfinite(x); })) throw not_finite();
+    return;
+  }
   double size = residual(b_, b);
-  if (first_ && !(size < accept_below)) {
+  if (first_ && !(acceptable(size) && (accuracy_ <= full_accuracy || error_in(b) < trust_below))) {
     ++statistics_.rejected;
+    rejected_ = true;
     factor_anew();
     std::copy(b_.begin(), b_.end(), b.begin());
     substitute(b);
@@ -39,7 +50,7 @@ void CheckedSolver::solve(std::span<double> b) {
   }
   if (first_) statistics_.first_residual = size;
   first_ = first_ && size == 0.0;  // a zero right side proves nothing
-  for (int step = 0; step < 2 && size > refine_above && std::isfinite(size); ++step) {
+  for (int step = 0; step < 2 && size > accuracy_ && std::isfinite(size); ++step) {
     ++statistics_.refinements;
     std::copy(r_.begin(), r_.end(), x_.begin());
     substitute(x_);
@@ -49,7 +60,7 @@ void CheckedSolver::solve(std::span<double> b) {
     size = refined;
     std::copy(x_.begin(), x_.end(), b.begin());
   }
-  if (!std::isfinite(size)) throw SingularMatrix("the factors give a solution that is not finite", -1);
+  if (!std::isfinite(size)) throw not_finite();
   statistics_.worst_residual = std::max(statistics_.worst_residual, size);
 }
 
@@ -65,6 +76,23 @@ void CheckedSolver::scale_rows() {
       throw SingularMatrix("row " + std::to_string(i) + " of the matrix is zero", static_cast<Index>(i));
     row_scale_[i] = 1.0 / row_scale_[i];
   }
+}
+
+/// How much of b, a solution whose residual is r_, another solve wants to change: of the root mean square, each unknown by the
+/// largest entry of its column.
+double CheckedSolver::error_in(std::span<const double> b) {
+  std::copy(r_.begin(), r_.end(), x_.begin());
+  substitute(x_);
+  const auto starts = pattern_.column_starts();
+  const auto rows = pattern_.rows();
+  double change = 0.0, whole = 0.0;
+  for (Index j = 0; j < pattern_.n(); ++j) {
+    double most = 0.0;
+    for (Index k = starts[j]; k < starts[j + 1]; ++k) most = std::max(most, std::abs(values_[k]) * row_scale_[rows[k]]);
+    change += std::pow(most * x_[j], 2);
+    whole += std::pow(most * b[j], 2);
+  }
+  return whole > 0.0 ? std::sqrt(change / whole) : 0.0;
 }
 
 double CheckedSolver::prove() {

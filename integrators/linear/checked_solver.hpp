@@ -1,19 +1,29 @@
 #pragma once
 
+#include <algorithm>
+
 #include "linear/direct_solver.hpp"
 
 namespace talus::linear {
 
-/// What the solvers share. Each solve is followed by its residual and, where that is above `refine_above`, by up to two
-/// steps of iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew,
-/// with new pivots. The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry
-/// of each row.
+/// What the solvers share. Each solve is followed by its residual and, where that is above the accuracy asked for, by up to
+/// two steps of iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew,
+/// with new pivots. Where less than `full_accuracy` is asked for, it is the only one that is followed by its residual, and
+/// a solve for that residual shows how much of it is wrong: a small residual alone proves nothing where A is nearly singular.
+/// The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry of each row.
 class CheckedSolver : public DirectSolver {
  public:
-  static constexpr double accept_below = 1e-8;   ///< relative residual of a first solve
-  static constexpr double refine_above = 1e-12;  ///< relative residual of any solve
+  static constexpr double accept_below =
+      1e-8;  ///< relative residual of a first solve, unless less accuracy is asked for
 
   explicit CheckedSolver(const SparsePattern& pattern);
+
+  static constexpr double trust_below = 1e-3;  ///< error of a first solve where less than full accuracy is asked for
+
+  /// The relative residual that is asked of each solve, full_accuracy unless said; see Settings.
+  void demand(double accuracy) { accuracy_ = accuracy; }
+  /// Whether a first solve with that relative residual shows the factors to be good.
+  [[nodiscard]] bool acceptable(double residual) const { return residual < std::max(accept_below, accuracy_); }
 
   void factor(std::span<const double> values) final;
   void solve(std::span<double> b) final;
@@ -35,6 +45,9 @@ class CheckedSolver : public DirectSolver {
     statistics_.fill = fill;
     statistics_.flops = flops;
   }
+  [[nodiscard]] double accuracy() const { return accuracy_; }
+  /// Whether the factors of this matrix failed their test before.
+  [[nodiscard]] bool rejected() const { return rejected_; }
   [[nodiscard]] const SparsePattern& pattern() const { return pattern_; }
   [[nodiscard]] std::span<const double> values() const { return values_; }
   /// Reciprocal of the largest entry of each row, shape n.
@@ -43,9 +56,12 @@ class CheckedSolver : public DirectSolver {
  private:
   void scale_rows();
   double residual(std::span<const double> b, std::span<const double> x);
+  double error_in(std::span<const double> b);
 
   const SparsePattern& pattern_;
+  double accuracy_ = full_accuracy;
   std::vector<double> values_, row_scale_;
+  bool rejected_ = false;
   bool first_ = false;                    // the first solve with the factors is still to come
   std::vector<double> b_, r_, size_, x_;  // scratch of solve()
   Statistics statistics_;

@@ -42,25 +42,40 @@ CondensedSolver::CondensedSolver(const SparsePattern& matrix) : CheckedSolver(ma
   for (Index j = 0; j < n; ++j)
     for (Index k = starts[j]; k < starts[j + 1]; ++k) {
       const Index i = rows[k];
-      if (is_link[i] && !is_link[j]) links_[link_of[i]].row.push_back({number_[j], k});
-      if (!is_link[i] && is_link[j]) links_[link_of[j]].column.push_back({number_[i], k});
+      if (is_link[i] && !is_link[j]) links_[link_of[i]].row.push_back(entry(number_[j], k));
+      if (!is_link[i] && is_link[j]) links_[link_of[j]].column.push_back(entry(number_[i], k));
     }
 
   // The band after condensation: direct entries, and those through the chains.
-  Index width = 0;
-  for (const Index j : kept_)
-    for (Index k = starts[j]; k < starts[j + 1]; ++k)
-      if (number_[rows[k]] >= 0) width = std::max(width, std::abs(number_[rows[k]] - number_[j]));
-  Index least = n, most = 0;  // kept rows that see this link or one above it
+  for_each_kept_entry([&](Index i, Index j) { width_ = std::max(width_, std::abs(i - j)); });
+  single_ = TwoEndedBand<float>(n_kept(), width_);
+  double_ = TwoEndedBand<double>(n_kept(), width_);
+  for_each_kept_entry([&](Index i, Index j) {
+    single_.expect(i, j);
+    double_.expect(i, j);
+  });
+  for (Index j = 0; j < n_kept(); ++j)
+    for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
+      if (const Index i = number_[rows[k]]; i >= 0) direct_.push_back({k, rows[k], single_.slot(i, j)});
+  scratch_.resize(kept_.size());
+  scratch_single_.resize(kept_.size());
+}
+
+template <class Visit>
+void CondensedSolver::for_each_kept_entry(const Visit& visit) const {
+  const auto starts = pattern().column_starts();
+  const auto rows = pattern().rows();
+  for (Index j = 0; j < n_kept(); ++j)
+    for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
+      if (number_[rows[k]] >= 0) visit(number_[rows[k]], j);
+  Index least = n_kept(), most = -1;  // kept rows that see this link or one above it
   for (std::size_t l = links_.size(); l-- > 0;) {
     const Link& link = links_[l];
-    if (link.after < 0) least = n, most = 0;
-    for (const Entry& e : link.column) least = std::min(least, e.number), most = std::max(most, e.number);
-    if (least > most) continue;
-    for (const Entry& e : link.row) width = std::max({width, std::abs(e.number - least), std::abs(e.number - most)});
+    if (link.after < 0) least = n_kept(), most = -1;
+    for (const Entry& e : link.column) least = std::min<Index>(least, e.number), most = std::max<Index>(most, e.number);
+    for (const Entry& e : link.row)
+      for (Index i = least; i <= most; ++i) visit(i, e.number);
   }
-  band_ = TwoEndedBand(static_cast<Index>(kept_.size()), width);
-  scratch_.resize(kept_.size());
 }
 
 double CondensedSolver::flops_bound() const {
@@ -69,53 +84,70 @@ double CondensedSolver::flops_bound() const {
 }
 
 void CondensedSolver::factor_anew() {
-  const auto starts = pattern().column_starts();
-  const auto rows = pattern().rows();
-  band_.clear();
-  for (std::size_t j = 0; j < kept_.size(); ++j)
-    for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
-      if (const Index i = number_[rows[k]]; i >= 0)
-        band_.add(i, static_cast<Index>(j), values()[k] * row_scale()[rows[k]]);
+  in_single_ = allows_single() && !rejected();
+  if (in_single_) {
+    try {
+      condense(single_);
+    } catch (const SingularMatrix&) { in_single_ = false; }
+  }
+  if (!in_single_) condense(double_);
+  record(n_kept() * (3 * width() + 1), flops_bound());
+}
 
-  // S = D - C E^-1 B, chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
-  std::fill(scratch_.begin(), scratch_.end(), 0.0);
+template <class Real>
+void CondensedSolver::condense(TwoEndedBand<Real>& band) {
+  band.clear();
+  for (const Direct& entry : direct_) band.add(entry.slot, values()[entry.position] * row_scale()[entry.row]);
+  column_values_.clear();
+  for (const Link& link : links_)
+    for (const Entry& e : link.column) column_values_.push_back(values()[e.position] * row_scale()[kept_[e.number]]);
+
+  // Chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
+  std::vector<Real> seen(kept_.size(), Real(0));
+  auto value = column_values_.end();
   Index least = n_kept(), most = -1;
   for (std::size_t l = links_.size(); l-- > 0;) {
     const Link& link = links_[l];
     if (link.after < 0) {
-      if (most >= least) std::fill(scratch_.begin() + least, scratch_.begin() + most + 1, 0.0);
+      if (most >= least) std::fill(seen.begin() + least, seen.begin() + most + 1, Real(0));
       least = n_kept();
       most = -1;
     }
-    const double carry = link.after < 0 ? 0.0 : -values()[link.after];
     const double diagonal = values()[link.diagonal];
     if (diagonal == 0.0) throw SingularMatrix("a chain row has a vanishing diagonal", link.unknown);
-    for (Index i = least; i <= most; ++i) scratch_[i] *= carry;
+    const auto carry = static_cast<Real>(link.after < 0 ? 0.0 : -values()[link.after] / diagonal);
+    for (Index i = least; i <= most; ++i) seen[i] *= carry;
+    value -= static_cast<std::ptrdiff_t>(link.column.size());
+    auto of_entry = value;
     for (const Entry& e : link.column) {
-      scratch_[e.number] += values()[e.position] * row_scale()[kept_[e.number]];
-      least = std::min(least, e.number);
-      most = std::max(most, e.number);
+      seen[e.number] += static_cast<Real>(*of_entry++ / diagonal);
+      least = std::min<Index>(least, e.number);
+      most = std::max<Index>(most, e.number);
     }
     if (most < least) continue;
-    for (Index i = least; i <= most; ++i) scratch_[i] /= diagonal;
-    const std::span<const double> seen(scratch_.data() + least, static_cast<std::size_t>(most - least + 1));
-    for (const Entry& e : link.row) band_.add_column(e.number, least, -values()[e.position], seen);
+    const std::span<const Real> part(seen.data() + least, static_cast<std::size_t>(most - least + 1));
+    for (const Entry& e : link.row) band.add_column(e.number, least, static_cast<Real>(-values()[e.position]), part);
   }
-  band_.factor();
-  record(n_kept() * (3 * width() + 1), flops_bound());
+  band.factor();
 }
 
 void CondensedSolver::substitute(std::span<double> b) {
   for (std::size_t k = 0; k < kept_.size(); ++k) scratch_[k] = b[kept_[k]] * row_scale()[kept_[k]];
   double below = 0.0;
+  auto of_entry = column_values_.begin();
   for (const Link& link : links_) {  // y = E^-1 b, then b - C y
     double value = b[link.unknown];
     if (link.before >= 0) value -= values()[link.before] * below;
     below = value / values()[link.diagonal];
-    for (const Entry& e : link.column)
-      scratch_[e.number] -= values()[e.position] * row_scale()[kept_[e.number]] * below;
+    for (const Entry& e : link.column) scratch_[e.number] -= *of_entry++ * below;
   }
-  band_.solve(scratch_);
+  if (in_single_) {
+    std::ranges::transform(scratch_, scratch_single_.begin(), [](double x) { return static_cast<float>(x); });
+    single_.solve(scratch_single_);
+    std::ranges::copy(scratch_single_, scratch_.begin());
+  } else {
+    double_.solve(scratch_);
+  }
   below = 0.0;
   for (const Link& link : links_) {  // E^-1 (b - B x)
     double value = b[link.unknown];
@@ -129,8 +161,9 @@ void CondensedSolver::substitute(std::span<double> b) {
 
 std::string CondensedSolver::describe() const {
   std::ostringstream line;
-  line << "condensed band LU (LAPACK, two-ended): " << links_.size() << " unknowns solved for along chains, "
-       << n_kept() << " left, " << width() << " diagonals on either side, " << memory() / (1 << 20) << " MiB";
+  line << "condensed band LU (LAPACK, two-ended, in " << (in_single_ ? "single" : "double")
+       << " precision): " << links_.size() << " unknowns solved for along chains, " << n_kept() << " left, " << width()
+       << " diagonals on either side, " << memory() / (1 << 20) << " MiB";
   if (statistics().factorisations > 0) line << ", residual " << statistics().first_residual;
   return line.str();
 }

@@ -11,9 +11,12 @@ namespace talus::linear {
 /// by cell up a column) are solved for that unknown exactly; what is left is a narrower band, factored by TwoEndedBand.
 /// A row belongs to a chain if it has at most `longest_row` entries, one of them on its diagonal, and no entry in another
 /// chain unknown but the one before it. The diagonal entries must not vanish.
+/// Where no more accuracy is asked for than `single_precision`, the band is factored in single precision, which halves its size
+/// and its time; a matrix that is singular then, or whose first solve fails, is factored in double.
 class CondensedSolver final : public CheckedSolver {
  public:
   static constexpr Index longest_row = 8;
+  static constexpr double single_precision = 1e-6;
 
   explicit CondensedSolver(const SparsePattern& matrix);
 
@@ -22,9 +25,11 @@ class CondensedSolver final : public CheckedSolver {
   static constexpr const char* name = "condensed";
   /// Unknowns that are left, and the diagonals on either side of the main one.
   [[nodiscard]] Index n_kept() const { return static_cast<Index>(kept_.size()); }
-  [[nodiscard]] Index width() const { return band_.width(); }
+  [[nodiscard]] Index width() const { return width_; }
   [[nodiscard]] double flops_bound() const;
-  [[nodiscard]] std::size_t memory() const { return band_.memory(); }
+  [[nodiscard]] std::size_t memory() const { return allows_single() ? single_.memory() : double_.memory(); }
+  /// Whether single precision is tried.
+  [[nodiscard]] bool allows_single() const { return accuracy() >= single_precision; }
 
  protected:
   void factor_anew() override;
@@ -32,9 +37,12 @@ class CondensedSolver final : public CheckedSolver {
 
  private:
   struct Entry {
-    Index number;    ///< kept number of the row (in columns) or of the column (in rows)
-    Index position;  ///< in the value array
+    std::int32_t number;    ///< kept number of the row (in columns) or of the column (in rows)
+    std::int32_t position;  ///< in the value array
   };
+  static Entry entry(Index number, Index position) {
+    return {static_cast<std::int32_t>(number), static_cast<std::int32_t>(position)};
+  }
   struct Link {
     Index unknown;              ///< row and column in the matrix
     Index diagonal;             ///< position of its diagonal entry
@@ -44,11 +52,28 @@ class CondensedSolver final : public CheckedSolver {
     std::vector<Entry> column;  ///< kept rows of its column
   };
 
-  std::vector<Link> links_;    ///< chain after chain, each from its foot up
-  std::vector<Index> kept_;    ///< unknown of each kept number
-  std::vector<Index> number_;  ///< kept number of each unknown, -1 for links
-  TwoEndedBand band_;
+  /// An entry that both matrices have, and where the band keeps it.
+  struct Direct {
+    Index position, row, slot;
+  };
+  /// S = D - C E^-1 B of [E B; C D], E the chains, into `band`.
+  template <class Real>
+  void condense(TwoEndedBand<Real>& band);
+  /// Calls visit(i, j) for each entry of S, some more than once.
+  template <class Visit>
+  void for_each_kept_entry(const Visit& visit) const;
+
+  std::vector<Link> links_;            ///< chain after chain, each from its foot up
+  std::vector<Index> kept_;            ///< unknown of each kept number
+  std::vector<Index> number_;          ///< kept number of each unknown, -1 for links
+  std::vector<double> column_values_;  ///< of the links' columns, link after link, rows scaled
+  Index width_ = 0;
+  bool in_single_ = false;  ///< the precision of the factors at hand
+  std::vector<Direct> direct_;
+  TwoEndedBand<float> single_;
+  TwoEndedBand<double> double_;
   std::vector<double> scratch_;
+  std::vector<float> scratch_single_;
 };
 
 }  // namespace talus::linear

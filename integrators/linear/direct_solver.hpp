@@ -60,12 +60,18 @@ class DirectSolver {
   [[nodiscard]] virtual std::string describe() const = 0;
 };
 
+/// The relative residual of a solve that is as accurate as double precision allows.
+inline constexpr double full_accuracy = 1e-12;
+
 enum class Choice : std::uint8_t { automatic, klu, umfpack, banded, condensed };
 
 struct Settings {
   Choice choice = Choice::automatic;
   double pivot_tolerance = 0.1;      ///< KLU: take a diagonal pivot this large relative to the largest of its column
   std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
+  /// Relative residual asked of each solve. Above full_accuracy only the first solve of a factorisation is checked, and from
+  /// CondensedSolver::single_precision on, factors may be in single precision: for Newton's corrections, which contract.
+  double accuracy = full_accuracy;
   std::string chosen = {};  ///< DirectSolver::chosen() of an earlier solver: taken without trials; "" or unknown: tried
 };
 

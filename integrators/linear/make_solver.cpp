@@ -11,7 +11,7 @@ namespace talus::linear {
 namespace {
 
 /// The solver that `settings.chosen` names, or null.
-std::unique_ptr<DirectSolver> make_chosen(const SparsePattern& pattern, const Settings& settings) {
+std::unique_ptr<CheckedSolver> make_chosen(const SparsePattern& pattern, const Settings& settings) {
   const std::string& chosen = settings.chosen;
   for (const auto strategy : {UmfpackSolver::Strategy::symmetric, UmfpackSolver::Strategy::unsymmetric})
     if (chosen == UmfpackSolver::name(strategy)) return std::make_unique<UmfpackSolver>(pattern, strategy);
@@ -23,6 +23,19 @@ std::unique_ptr<DirectSolver> make_chosen(const SparsePattern& pattern, const Se
       pattern, KluSolver::Settings{settings.pivot_tolerance, settings.ordering, 0, chosen.substr(klu.size())});
 }
 
+/// The solver of that choice, null for `automatic`.
+std::unique_ptr<CheckedSolver> make_asked(const SparsePattern& pattern, const Settings& settings) {
+  switch (settings.choice) {
+    case Choice::klu:
+      return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, settings.ordering, 0});
+    case Choice::umfpack: return std::make_unique<UmfpackSolver>(pattern);
+    case Choice::banded: return std::make_unique<BandedSolver>(pattern, settings.ordering);
+    case Choice::condensed: return std::make_unique<CondensedSolver>(pattern);
+    case Choice::automatic: break;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Settings& settings) {
@@ -32,14 +45,11 @@ std::unique_ptr<DirectSolver> make_solver(const SparsePattern& pattern, const Se
   }
   limit_blas_to_one_thread();
   reserve_blas_work_space();
-  if (auto solver = make_chosen(pattern, settings)) return solver;
-  switch (settings.choice) {
-    case Choice::klu:
-      return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, ordering, 0});
-    case Choice::umfpack: return std::make_unique<UmfpackSolver>(pattern);
-    case Choice::banded: return std::make_unique<BandedSolver>(pattern, ordering);
-    case Choice::condensed: return std::make_unique<CondensedSolver>(pattern);
-    case Choice::automatic: break;
+  auto solver = make_chosen(pattern, settings);
+  if (!solver) solver = make_asked(pattern, settings);
+  if (solver) {
+    solver->demand(settings.accuracy);
+    return solver;
   }
   return std::make_unique<AutomaticSolver>(pattern, settings);
 }

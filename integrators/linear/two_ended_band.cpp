@@ -4,19 +4,7 @@
 
 #include "core/both.hpp"
 #include "linear/blas.hpp"
-
-extern "C" {
-void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab, int* ipiv,
-             int* info);
-void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
-void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* ipiv,
-             double* b, const int* ldb, int* info, std::size_t trans_length);
-void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab,
-             const int* ldab, const int* ipiv, double* b, const int* ldb, int* info, std::size_t trans_length);
-void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
-            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
-            const int* ldc, std::size_t transa_length, std::size_t transb_length);
-}
+#include "linear/lapack.hpp"
 
 namespace talus::linear {
 
@@ -27,167 +15,187 @@ namespace {
 /// Below this many unknowns for each diagonal the separator costs more than the second thread saves.
 constexpr Index least_rows_per_diagonal = 12;
 
+void no_smaller(int& most, Index value) { most = std::max(most, static_cast<int>(value)); }
+
 }  // namespace
 
-TwoEndedBand::TwoEndedBand(Index n, Index width) : n_(n), width_(width) {
+template <class Real>
+TwoEndedBand<Real>::TwoEndedBand(Index n, Index width) : n_(n), width_(width) {
   const bool split = n >= least_rows_per_diagonal * width && width > 0;
   separator_ = split ? width : 0;
   left_ = split ? (n - separator_) / 2 : n;
   part_[0].n = left_;
   part_[1].n = n - left_ - separator_;
+  const auto reserve = [&](Index entries) { return std::exchange(size_, size_ + entries); };
   for (auto& part : part_) {
-    part.band.resize(leading() * part.n);
-    part.pivots.resize(part.n);
-    part.above.resize(part.n);
-    part.below.resize(part.n);
-    part.to.resize(window(part) * separator_);
-    part.from.resize(window(part) * separator_);
+    part.band = reserve(leading() * part.n);
+    part.to = reserve(window(part) * separator_);
+    part.from = reserve(window(part) * separator_);
+    for (auto* v : {&part.pivots, &part.last_row, &part.last_column, &part.below, &part.above}) v->resize(part.n);
+    for (Index i = 0; i < part.n; ++i) part.last_row[i] = part.last_column[i] = static_cast<int>(i);
   }
-  middle_.resize(separator_ * separator_);
-  joined_.resize(middle_.size());
+  middle_ = reserve(separator_ * separator_);
+  joined_.resize(separator_ * separator_);
   joined_pivots_.resize(separator_);
 }
 
-void TwoEndedBand::clear() {
-  for (auto& part : part_)
-    for (auto* v : {&part.band, &part.to, &part.from}) std::fill(v->begin(), v->end(), 0.0);
-  std::fill(middle_.begin(), middle_.end(), 0.0);
+template <class Real>
+void TwoEndedBand<Real>::clear() {
+  store_.resize(size_);
+  std::fill(store_.begin(), store_.end(), Real(0));
 }
 
-void TwoEndedBand::add(Index i, Index j, double value) {
+template <class Real>
+void TwoEndedBand<Real>::expect(Index i, Index j) {
   const auto row = place(i), column = place(j);
-  if (row.part == 2 && column.part == 2) {
-    middle_[column.number * separator_ + row.number] += value;
-  } else if (row.part == 2) {
-    Part& part = part_[column.part];
-    part.from[(column.number - (part.n - window(part))) * separator_ + row.number] += value;
-  } else if (column.part == 2) {
-    Part& part = part_[row.part];
-    part.to[column.number * window(part) + row.number - (part.n - window(part))] += value;
-  } else {
-    part_[row.part].band[column.number * leading() + 2 * width_ + row.number - column.number] += value;
-  }
+  if (row.part == 2 || row.part != column.part) return;
+  no_smaller(part_[row.part].last_row[column.number], row.number);
+  no_smaller(part_[row.part].last_column[row.number], column.number);
 }
 
-void TwoEndedBand::add_column(Index j, Index first, double scale, std::span<const double> v) {
+template <class Real>
+Index TwoEndedBand<Real>::slot(Index i, Index j) const {
+  const auto row = place(i), column = place(j);
+  if (row.part == 2 && column.part == 2) return middle_ + column.number * separator_ + row.number;
+  const Part& part = part_[row.part == 2 ? column.part : row.part];
+  const Index first = part.n - window(part);
+  if (row.part == 2) return part.from + (column.number - first) * separator_ + row.number;
+  if (column.part == 2) return part.to + column.number * window(part) + row.number - first;
+  return part.band + column.number * leading() + 2 * width_ + row.number - column.number;
+}
+
+template <class Real>
+void TwoEndedBand<Real>::add_column(Index j, Index first, Real scale, std::span<const Real> v) {
   const auto column = place(j);
   const Index last = first + static_cast<Index>(v.size());
   if (column.part == 0 && last <= left_) {
-    double* target = part_[0].band.data() + column.number * leading() + 2 * width_ + first - column.number;
+    Real* target = store_.data() + slot(first, j);
     for (std::size_t i = 0; i < v.size(); ++i) target[i] += scale * v[i];
   } else if (column.part == 1 && first >= left_ + separator_) {
-    double* target = part_[1].band.data() + column.number * leading() + 2 * width_ + (n_ - 1 - first) - column.number;
-    for (std::size_t i = 0; i < v.size(); ++i) target[-static_cast<Index>(i)] += scale * v[i];
+    Real* target = store_.data() + slot(last - 1, j);
+    for (std::size_t i = 0; i < v.size(); ++i) target[i] += scale * v[v.size() - 1 - i];
   } else {
     for (std::size_t i = 0; i < v.size(); ++i)
-      if (v[i] != 0.0) add(first + static_cast<Index>(i), j, scale * v[i]);
+      if (v[i] != Real(0)) add(slot(first + static_cast<Index>(i), j), scale * v[i]);
   }
 }
 
-void TwoEndedBand::factor_part(Part& part, std::vector<double>& schur) const {
+template <class Real>
+void TwoEndedBand<Real>::factor_part(Part& part, std::vector<Real>& schur) {
   if (part.n == 0) return;
-  const int n = static_cast<int>(part.n), k = static_cast<int>(width_), lead = static_cast<int>(leading());
-  int info = 0;
-  dgbtrf_(&n, &n, &k, &k, part.band.data(), &lead, part.pivots.data(), &info);
-  if (info != 0) throw SingularMatrix("LAPACK dgbtrf: the matrix is singular", -1);
+  const int k = static_cast<int>(width_), lead = static_cast<int>(leading());
+  if (lapack::factor_band(static_cast<int>(part.n), k, k, &store_[part.band], lead, part.pivots.data()) != 0)
+    throw SingularMatrix("LAPACK gbtrf: the matrix is singular", -1);
   measure(part);
   if (separator_ == 0) return;
   // The last `window` columns of the factors are the factors of the trailing Schur complement, all that F and G touch.
   const Index w = window(part), first = part.n - w;
-  std::vector<double> x = part.to;
   const int window_n = static_cast<int>(w), m = static_cast<int>(separator_);
+  std::vector<Real> x(store_.begin() + part.to, store_.begin() + part.to + w * separator_);
   std::vector<int> pivots(part.pivots.begin() + first, part.pivots.end());
   for (int& p : pivots) p -= static_cast<int>(first);
-  dgbtrs_("N", &window_n, &k, &k, &m, part.band.data() + first * leading(), &lead, pivots.data(), x.data(), &window_n,
-          &info, 1);
-  schur.assign(separator_ * separator_, 0.0);
-  const double one = 1.0, zero = 0.0;
-  dgemm_("N", "N", &m, &m, &window_n, &one, part.from.data(), &m, x.data(), &window_n, &zero, schur.data(), &m, 1, 1);
+  lapack::solve_band(window_n, k, k, m, &store_[part.band + first * leading()], lead, pivots.data(), x.data());
+  schur.resize(separator_ * separator_);
+  lapack::multiply(m, m, window_n, &store_[part.from], x.data(), schur.data());
 }
 
-void TwoEndedBand::measure(Part& part) const {
+/// Row exchanges stay above the lowest entry announced so far; a row of U reaches as far as any row that was or could have
+/// been put in its place.
+template <class Real>
+void TwoEndedBand<Real>::measure(Part& part) const {
+  int lowest = 0, known = -1, reach = 0, farthest = 0;
+  Index row_of_U = 0;
+  std::vector<int> U_reaches(part.n);
   for (Index j = 0; j < part.n; ++j) {
-    const double* column = part.band.data() + j * leading() + 2 * width_;
-    Index above = std::min(2 * width_, j), below = std::min(width_, part.n - 1 - j);
-    while (above > 0 && column[-above] == 0.0) --above;
-    while (below > 0 && column[below] == 0.0) --below;
-    part.above[j] = static_cast<int>(above);
-    part.below[j] = static_cast<int>(below);
+    no_smaller(lowest, part.last_row[j]);
+    part.below[j] = lowest - static_cast<int>(j);
+    for (const int pivot = part.pivots[j] - 1; known < pivot;) no_smaller(reach, part.last_column[++known]);
+    no_smaller(farthest, reach);
+    U_reaches[j] = farthest;
+  }
+  for (Index j = 0; j < part.n; ++j) {
+    while (U_reaches[row_of_U] < j) ++row_of_U;
+    part.above[j] = static_cast<int>(j - std::min(row_of_U, j));
   }
 }
 
-void TwoEndedBand::factor() {
+template <class Real>
+void TwoEndedBand<Real>::factor() {
+  std::vector<Real> schur[2];
   if (separator_ == 0) {
-    std::vector<double> none;
-    factor_part(part_[0], none);
+    factor_part(part_[0], schur[0]);
     return;
   }
-  std::vector<double> schur[2];
   both(
       blas_allows_threads(), [&] { factor_part(part_[0], schur[0]); }, [&] { factor_part(part_[1], schur[1]); });
-  for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = middle_[i] - schur[0][i] - schur[1][i];
-  const int m = static_cast<int>(separator_);
-  int info = 0;
-  dgetrf_(&m, &m, joined_.data(), &m, joined_pivots_.data(), &info);
-  if (info != 0) throw SingularMatrix("LAPACK dgetrf: the separator's matrix is singular", -1);
+  for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = store_[middle_ + i] - schur[0][i] - schur[1][i];
+  if (lapack::factor_dense(static_cast<int>(separator_), joined_.data(), joined_pivots_.data()) != 0)
+    throw SingularMatrix("LAPACK getrf: the separator's matrix is singular", -1);
 }
 
 /// L^-1 P on rows from `first` on; b points at row `first`.
-void TwoEndedBand::forward(const Part& part, Index first, double* b) const {
+template <class Real>
+void TwoEndedBand<Real>::forward(const Part& part, Index first, Real* b) const {
   for (Index j = first; j < part.n; ++j) {
     const Index pivot = part.pivots[j] - 1;
-    double* at = b + (j - first);
+    Real* at = b + (j - first);
     if (pivot != j) std::swap(*at, b[pivot - first]);
-    const double value = *at;
-    const double* column = part.band.data() + j * leading() + 2 * width_;
+    const Real value = *at;
+    const Real* l = column(part, j);
     const Index reach = part.below[j];
-    for (Index i = 1; i <= reach; ++i) at[i] -= column[i] * value;
+    for (Index i = 1; i <= reach; ++i) at[i] -= l[i] * value;
   }
 }
 
 /// U^-1 on rows from `first` on, whose solution does not depend on the rows before.
-void TwoEndedBand::backward(const Part& part, Index first, double* b) const {
+template <class Real>
+void TwoEndedBand<Real>::backward(const Part& part, Index first, Real* b) const {
   for (Index j = part.n - 1; j >= first; --j) {
-    const double* column = part.band.data() + j * leading() + 2 * width_;
-    double* at = b + (j - first);
-    const double value = *at /= *column;
+    Real* at = b + (j - first);
+    const Real* u = column(part, j);
+    const Real value = *at /= *u;
     const Index reach = std::min<Index>(part.above[j], j - first);
-    for (Index i = 1; i <= reach; ++i) at[-i] -= column[-i] * value;
+    Real* top = at - reach;
+    const Real* u_top = u - reach;
+    for (Index i = 0; i < reach; ++i) top[i] -= u_top[i] * value;
   }
 }
 
-void TwoEndedBand::solve(std::span<double> b) const {
+template <class Real>
+void TwoEndedBand<Real>::solve(std::span<Real> b) const {
   if (separator_ == 0) {
     forward(part_[0], 0, b.data());
     backward(part_[0], 0, b.data());
     return;
   }
-  std::vector<double> right(b.rbegin(), b.rbegin() + part_[1].n);
-  double* side[2] = {b.data(), right.data()};
-  double* middle = b.data() + left_;
-  std::vector<double> seen[2];
+  std::vector<Real> right(b.rbegin(), b.rbegin() + part_[1].n);
+  Real* side[2] = {b.data(), right.data()};
+  Real* middle = b.data() + left_;
+  std::vector<Real> seen[2];
   const auto descend = [&](int s) {
     const Part& part = part_[s];
     forward(part, 0, side[s]);
     const Index w = window(part), first = part.n - w;
-    std::vector<double> y(side[s] + first, side[s] + part.n);
+    std::vector<Real> y(side[s] + first, side[s] + part.n);
     backward(part, first, y.data());
-    seen[s].assign(separator_, 0.0);
-    for (Index j = 0; j < w; ++j)
-      for (Index i = 0; i < separator_; ++i) seen[s][i] += part.from[j * separator_ + i] * y[j];
+    seen[s].assign(separator_, Real(0));
+    for (Index j = 0; j < w; ++j) {
+      const Real* from = store_.data() + part.from + j * separator_;
+      for (Index i = 0; i < separator_; ++i) seen[s][i] += from[i] * y[j];
+    }
   };
   both(
       true, [&] { descend(0); }, [&] { descend(1); });
   for (Index i = 0; i < separator_; ++i) middle[i] -= seen[0][i] + seen[1][i];
-  const int m = static_cast<int>(separator_), one = 1;
-  int info = 0;
-  dgetrs_("N", &m, &one, joined_.data(), &m, joined_pivots_.data(), middle, &m, &info, 1);
+  lapack::solve_dense(static_cast<int>(separator_), joined_.data(), joined_pivots_.data(), middle);
   const auto ascend = [&](int s) {
     const Part& part = part_[s];
     const Index w = window(part), first = part.n - w;
-    std::vector<double> pulled(w, 0.0);
-    for (Index j = 0; j < separator_; ++j)
-      for (Index i = 0; i < w; ++i) pulled[i] += part.to[j * w + i] * middle[j];
+    std::vector<Real> pulled(w, Real(0));
+    for (Index j = 0; j < separator_; ++j) {
+      const Real* to = store_.data() + part.to + j * w;
+      for (Index i = 0; i < w; ++i) pulled[i] += to[i] * middle[j];
+    }
     forward(part, first, pulled.data());
     for (Index i = 0; i < w; ++i) side[s][first + i] -= pulled[i];
     backward(part, 0, side[s]);
@@ -197,10 +205,12 @@ void TwoEndedBand::solve(std::span<double> b) const {
   std::copy(right.begin(), right.end(), b.rbegin());
 }
 
-std::size_t TwoEndedBand::memory() const {
-  std::size_t entries = middle_.size() + joined_.size();
-  for (const auto& part : part_) entries += part.band.size() + part.to.size() + part.from.size();
-  return entries * sizeof(double);
+template <class Real>
+std::size_t TwoEndedBand<Real>::memory() const {
+  return (static_cast<std::size_t>(size_) + joined_.size()) * sizeof(Real);
 }
+
+template class TwoEndedBand<float>;
+template class TwoEndedBand<double>;
 
 }  // namespace talus::linear

@@ -7,10 +7,12 @@
 
 namespace talus::linear {
 
-/// LU of a band matrix from both ends at once, on two threads where BLAS allows it (blas.hpp): the unknowns are cut into a left part, a separator as wide as
-/// the band, and a right part that is numbered from its far end. LAPACK factors the parts with partial pivoting; a dense
-/// matrix joins them on the separator. Small matrices have an empty right part and separator and use one thread.
+/// LU of a band matrix from both ends at once, on two threads where BLAS allows it (blas.hpp): the unknowns are cut into a left
+/// part, a separator as wide as the band, and a right part that is numbered from its far end. LAPACK factors the parts with
+/// partial pivoting; a dense matrix joins them on the separator. Small matrices have an empty right part and separator and
+/// use one thread. Entries and factors are kept in `Real`, float or double.
 /// The arithmetic does not depend on how the threads run: same input, same bits.
+template <class Real>
 class TwoEndedBand {
  public:
   TwoEndedBand() = default;
@@ -19,27 +21,34 @@ class TwoEndedBand {
 
   [[nodiscard]] Index n() const { return n_; }
   [[nodiscard]] Index width() const { return width_; }
-  /// Sets all entries to zero.
+  /// Makes room for the entries, and sets all to zero.
   void clear();
-  /// A(i, j) += value, |i - j| <= width.
-  void add(Index i, Index j, double value);
+  /// Says that A(i, j) may differ from zero, |i - j| <= width: substitution passes over the ends of rows and columns where
+  /// nothing was announced.
+  void expect(Index i, Index j);
+  /// Where A(i, j) is kept, for add(slot, value).
+  [[nodiscard]] Index slot(Index i, Index j) const;
+  /// A(i, j) += value. The entry was announced.
+  void add(Index slot, double value) { store_[slot] += static_cast<Real>(value); }
   /// A(i, j) += scale * v[i - first], for i in [first, first + v.size()).
-  void add_column(Index j, Index first, double scale, std::span<const double> v);
+  void add_column(Index j, Index first, Real scale, std::span<const Real> v);
   /// Throws SingularMatrix.
   void factor();
   /// b <- A^-1 b.
-  void solve(std::span<double> b) const;
+  void solve(std::span<Real> b) const;
   [[nodiscard]] std::size_t memory() const;
 
  private:
   struct Part {
-    Index n = 0;               ///< unknowns
-    std::vector<double> band;  ///< LAPACK band storage, leading dimension 3 width + 1
+    Index n = 0;     ///< unknowns
+    Index band = 0;  ///< where it starts in the store: LAPACK band storage, leading dimension 3 width + 1
+    Index to = 0;    ///< part rows of the window x separator columns: F, shape (window, m), column major
+    Index from = 0;  ///< separator rows x part columns of the window: G, shape (m, window), column major
     std::vector<int> pivots;
-    std::vector<int> above,
-        below;               ///< entries of U above and of L below the diagonal of each column, up to the last non-zero
-    std::vector<double> to;  ///< part rows of the window x separator columns: F, shape (window, m), column major
-    std::vector<double> from;  ///< separator rows x part columns of the window: G, shape (m, window), column major
+    std::vector<int> last_row;     ///< of each column, as announced
+    std::vector<int> last_column;  ///< of each row
+    std::vector<int> below;        ///< entries of L below the diagonal of each column
+    std::vector<int> above;        ///< entries of U above it
   };
   [[nodiscard]] Index leading() const { return 3 * width_ + 1; }
   [[nodiscard]] Index window(const Part& part) const { return part.n < 2 * width_ ? part.n : 2 * width_; }
@@ -53,16 +62,19 @@ class TwoEndedBand {
     if (i < left_ + separator_) return {2, i - left_};
     return {1, n_ - 1 - i};
   }
-  /// Measures how far the factors reach: substitution then passes over the zeros at the ends of columns.
+  [[nodiscard]] const Real* column(const Part& part, Index j) const {
+    return store_.data() + part.band + j * leading() + 2 * width_;
+  }
+  /// How far the factors reach, from what was announced and the rows that were exchanged.
   void measure(Part& part) const;
-  void factor_part(Part& part, std::vector<double>& schur) const;
-  void forward(const Part& part, Index first, double* b) const;
-  void backward(const Part& part, Index first, double* b) const;
+  void factor_part(Part& part, std::vector<Real>& schur);
+  void forward(const Part& part, Index first, Real* b) const;
+  void backward(const Part& part, Index first, Real* b) const;
 
-  Index n_ = 0, width_ = 0, left_ = 0, separator_ = 0;
+  Index n_ = 0, width_ = 0, left_ = 0, separator_ = 0, size_ = 0, middle_ = 0;
   Part part_[2];
-  std::vector<double> middle_,
-      joined_;  ///< the separator's own block, and its Schur complement in factors, shape (m, m)
+  std::vector<Real> store_;   ///< bands, borders and, from middle_ on, the separator's own block, shape (m, m)
+  std::vector<Real> joined_;  ///< its Schur complement in factors
   std::vector<int> joined_pivots_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "core/scalar.hpp"
@@ -11,16 +12,24 @@
 
 namespace talus::layer {
 
-/// What all kernels of the layer model share for one state: parameters, time, and the heights of all interfaces with
-/// their derivatives by the column's thickness, shape (n_columns, n_layers + 1) each.
+/// What all kernels of the layer model share for one state: parameters, time, and all that depends on the thicknesses alone.
 struct Context {
   const Parameters* parameters = nullptr;
   grid::Columns columns{};
   double t = 0.0;
+  double weight_along = 0.0, weight_down = 0.0;  ///< rho g along x and against z [Pa/m]
+  /// Heights of all interfaces [m] and their derivatives by the column's thickness, shape (n_columns, n_layers + 1) each.
   std::vector<double> z, dz, d2z;
+  /// dz/dx of the interfaces across two columns, and in a last column beyond the ends, where the nearest column stands in.
+  std::vector<double> slope;
+  std::vector<core::Dual<1>> mobility;    ///< of each column, by its thickness; see film.hpp
+  std::vector<core::Dual<2>> film_share;  ///< 1 - heap_share of each face, by the thicknesses left and right of it
 
   [[nodiscard]] std::size_t at(int i, int k) const {
     return static_cast<std::size_t>(columns.column(i)) * (columns.n_layers + 1) + k;
+  }
+  [[nodiscard]] std::size_t slope_at(int i, int k) const {
+    return columns.has_column(i) ? at(i, k) : static_cast<std::size_t>(columns.n_columns) * (columns.n_layers + 1) + k;
   }
 };
 
@@ -64,12 +73,25 @@ class Heights {
       : c_(context), first_(first), slot_(slot), dx_(context.columns.dx()) {
     static_assert(N >= 1);
     for (int c = 0; slot + c < N; ++c) {
+      start_[c] = context.at(first + c, 0);
+      if constexpr (std::is_same_v<G, double>) slope_start_[c] = context.slope_at(first + c, 0);
       H_[c] = Geometric::narrow(in.y[slot + c], slot);
       rate_[c] = Geometric::narrow(in.rate[slot + c], slot);
     }
   }
 
   [[nodiscard]] S H(int c) const { return wide(H_[c]); }
+  /// The share of column c that may flow, and how much of the flux through face c is that of a film.
+  [[nodiscard]] S mobility(int c) const {
+    const auto& m = c_.mobility[c_.columns.column(first_ + c)];
+    return wide(core::lift(m.value, m.slope[0], H_[c]));
+  }
+  [[nodiscard]] S film_share(int c) const {
+    const auto& share = c_.film_share[c_.columns.face(first_ + c)];
+    G r = core::lift(share.value, share.slope[0], H_[c - 1]);
+    r += core::lift(0.0, share.slope[1], H_[c]);
+    return wide(r);
+  }
   /// Height of interface k above the base [m].
   [[nodiscard]] S z(int c, int k) const { return wide(z_at(c, k)); }
   /// Velocity of interface k of face c [m/s].
@@ -101,21 +123,23 @@ class Heights {
   [[nodiscard]] S wide(const G& x) const { return Geometric::widen(x, slot_); }
   [[nodiscard]] double base_slope() const { return c_.parameters->box.base_slope; }
   [[nodiscard]] G z_at(int c, int k) const {
-    const auto a = c_.at(first_ + c, k);
+    const auto a = start_[c] + k;
     return core::lift(c_.z[a], c_.dz[a], H_[c]);
   }
   [[nodiscard]] G rate_at(int c, int k) const {
-    const auto a = c_.at(first_ + c, k);
+    const auto a = start_[c] + k;
     return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
   }
   [[nodiscard]] G slope_at(int c, int k) const {
-    return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope();
+    if constexpr (std::is_same_v<G, double>) return c_.slope[slope_start_[c] + k];
+    else return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope();
   }
   [[nodiscard]] G slope_rate_at(int c, int k) const { return (rate_at(c + 1, k) - rate_at(c - 1, k)) * (0.5 / dx_); }
 
   const Context& c_;
   int first_, slot_;
   double dx_;
+  std::array<std::size_t, detail::most_columns> start_, slope_start_;  // of each column in the context's arrays
   std::array<G, detail::most_columns> H_, rate_;
 };
 

@@ -48,33 +48,44 @@ S jump(const Numerics& n, const S& H_left, const S& H_right) {
       [] { return S(0.0); });
 }
 
+/// How much the flux between two columns is that of the heap: 1 where neither is a film and the thickness does not jump.
+template <class S>
+S heap_share(const Numerics& n, const S& H_left, const S& H_right) {
+  return (1.0 - filminess(n, H_left)) * (1.0 - filminess(n, H_right)) * (1.0 - jump(n, H_left, H_right));
+}
+
 /// Volume flux of one layer through a face between two columns, per unit gap [m2/s]: u times the mean thickness in the heap;
 /// where either column is a film, or the thickness jumps, the mobile part of the column that gives, so that no column gives
-/// more than it holds above Hs. u_+- = (u +- sqrt(u^2 + e^2))/2.
+/// more than it holds above Hs. u_+- = (u +- sqrt(u^2 + e^2))/2. `rest` is 1 - heap_share.
 template <class S>
-S face_flux(const Numerics& n, const S& u, const S& h_left, const S& h_right, const S& H_left, const S& H_right) {
+S face_flux(const Numerics& n, const S& u, const S& h_left, const S& h_right, const S& mobile_left,
+            const S& mobile_right, const S& rest) {
   using std::sqrt;
   using core::sqrt;
-  const S bulk = (1.0 - filminess(n, H_left)) * (1.0 - filminess(n, H_right)) * (1.0 - jump(n, H_left, H_right));
-  const S root = sqrt(u * u + n.film_speed * n.film_speed);
-  const S donor = 0.5 * ((u + root) * h_left * mobility(n, H_left) + (u - root) * h_right * mobility(n, H_right));
-  return bulk * u * 0.5 * (h_left + h_right) + (1.0 - bulk) * donor;
+  return core::select_above(
+      rest, 0.0,
+      [&] {
+        const S root = sqrt(u * u + n.film_speed * n.film_speed);
+        const S donor = 0.5 * ((u + root) * h_left * mobile_left + (u - root) * h_right * mobile_right);
+        return S((1.0 - rest) * u * 0.5 * (h_left + h_right) + rest * donor);
+      },
+      [&] { return S(0.5 * u * (h_left + h_right)); });
 }
 
 /// Flux out over an open end; grains never come in there. `sign` is +1 at the right end, -1 at the left.
 template <class S>
-S end_flux(const Numerics& n, double sign, const S& u, const S& h, const S& H) {
+S end_flux(const Numerics& n, double sign, const S& u, const S& h, const S& mobile) {
   using std::sqrt;
   using core::sqrt;
-  return 0.5 * (u + sign * sqrt(u * u + n.film_speed * n.film_speed)) * h * mobility(n, H);
+  return 0.5 * (u + sign * sqrt(u * u + n.film_speed * n.film_speed)) * h * mobile;
 }
 
 /// Flux through face `c` of a kernel's columns, whichever kind of face it is; u is zero at a wall.
 template <class S, class HeightsOf>
 S flux_through(const Numerics& n, const HeightsOf& g, bool left_end, bool right_end, int c, int k, const S& u) {
-  if (left_end) return end_flux(n, -1.0, u, g.h(c, k), g.H(c));
-  if (right_end) return end_flux(n, 1.0, u, g.h(c - 1, k), g.H(c - 1));
-  return face_flux(n, u, g.h(c - 1, k), g.h(c, k), g.H(c - 1), g.H(c));
+  if (left_end) return end_flux(n, -1.0, u, g.h(c, k), g.mobility(c));
+  if (right_end) return end_flux(n, 1.0, u, g.h(c - 1, k), g.mobility(c - 1));
+  return face_flux(n, u, g.h(c - 1, k), g.h(c, k), g.mobility(c - 1), g.mobility(c), g.film_share(c));
 }
 
 }  // namespace talus::layer

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/errors.hpp"
+#include "layer/film.hpp"
 #include "layer/terms/continuity.hpp"
 #include "layer/terms/forces.hpp"
 #include "layer/terms/given.hpp"
@@ -110,10 +111,15 @@ Layer::Layer(Parameters parameters)
     throw std::invalid_argument("layer: under a lid both ends must be walls, or joined");
   context_.parameters = &parameters_;
   context_.columns = columns_;
+  context_.weight_along = parameters_.grains.rho() * box.gravity * std::sin(box.tilt);
+  context_.weight_down = parameters_.grains.rho() * box.gravity * std::cos(box.tilt);
   const std::size_t n_heights = std::size_t(columns_.n_columns) * (columns_.n_layers + 1);
   context_.z.resize(n_heights);
   context_.dz.resize(n_heights);
   context_.d2z.resize(n_heights);
+  context_.slope.assign(n_heights + columns_.n_layers + 1, box.base_slope);
+  context_.mobility.resize(columns_.n_columns);
+  context_.film_share.resize(columns_.n_faces());
   std::vector<double> y(unknowns_.size()), yp(unknowns_.size());
   initial_state(0.0, y, yp);
   operator_ = std::make_unique<fv::Operator<Context>>(unknowns_.size(), make_terms(parameters_, {columns_, unknowns_}),
@@ -129,14 +135,23 @@ const Context& Layer::context(double t, std::span<const double> y) const {
     const std::size_t a = context_.at(i, 0);
     layering_.heights(H, {&context_.z[a], std::size_t(n)}, {&context_.dz[a], std::size_t(n)},
                       {&context_.d2z[a], std::size_t(n)});
+    context_.mobility[i] = mobility(parameters_.numerics, core::Dual<1>::input(H, 0));
   }
+  for (int i = 0; i < columns_.n_columns; ++i) {
+    const double *left = &context_.z[context_.at(i - 1, 0)], *right = &context_.z[context_.at(i + 1, 0)];
+    double* slope = &context_.slope[context_.at(i, 0)];
+    for (int k = 0; k < n; ++k) slope[k] = (right[k] - left[k]) * (0.5 / columns_.dx()) + parameters_.box.base_slope;
+  }
+  for (int f = 0; f < columns_.n_faces(); ++f)
+    context_.film_share[f] = 1.0 - heap_share(parameters_.numerics, core::Dual<2>::input(y[unknowns_.H(f - 1)], 0),
+                                              core::Dual<2>::input(y[unknowns_.H(f)], 1));
   return context_;
 }
 
 void Layer::initial_state(double, std::span<double> y, std::span<double> yp) const {
   std::fill(y.begin(), y.end(), 0.0);
   std::fill(yp.begin(), yp.end(), 0.0);
-  const double weight = parameters_.grains.rho() * parameters_.box.gravity * std::cos(parameters_.box.tilt);
+  const double weight = context_.weight_down;
   const double H = parameters_.initial.thickness;
   const double above = parameters_.box.lid ? parameters_.box.lid->pressure : 0.0;
   std::vector<double> z(columns_.n_layers + 1), dz(z), d2z(z);

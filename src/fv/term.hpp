@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -59,7 +62,13 @@ class KernelTerm final : public Term<Context> {
 
  public:
   explicit KernelTerm(Kernel kernel) : kernel_(std::move(kernel)), in_(kernel_.n_places()), out_(kernel_.n_places()) {
-    for (Index place = 0; place < kernel_.n_places(); ++place) kernel_.connect(place, in_[place], out_[place]);
+    std::array<Index, n_in> in;
+    std::array<Index, n_out> out;
+    for (Index place = 0; place < kernel_.n_places(); ++place) {
+      kernel_.connect(place, in, out);
+      std::ranges::transform(in, in_[place].begin(), number);
+      std::ranges::transform(out, out_[place].begin(), number);
+    }
   }
 
   void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const override {
@@ -104,14 +113,18 @@ class KernelTerm final : public Term<Context> {
 
   void add_jacobian(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
                     double c_j, std::span<double> values) const override {
-    Inputs<Dual, n_in> inputs;
+    Inputs<Dual, n_in> inputs;  // an input's slope is one number: the others stay zero from place to place
     std::array<Dual, n_out> out;
     for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
       for (int i = 0; i < n_in; ++i) {
         const Index index = in_[place][i];
         const double sign = index >= 0 ? 1.0 : (index < -1 ? -1.0 : 0.0);
-        inputs.y[i] = Dual::input(read(y, index), i, sign);
-        if constexpr (Kernel::uses_rate) inputs.rate[i] = Dual::input(read(yp, index), i, sign * c_j);
+        inputs.y[i].value = read(y, index);
+        inputs.y[i].slope[i] = sign;
+        if constexpr (Kernel::uses_rate) {
+          inputs.rate[i].value = read(yp, index);
+          inputs.rate[i].slope[i] = sign * c_j;
+        }
       }
       out.fill(Dual(0.0));
       kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
@@ -124,6 +137,12 @@ class KernelTerm final : public Term<Context> {
   struct Entry {
     std::uint8_t out, in;
   };
+  /// Unknowns as they are kept here: half as wide, as there are many more of them than anything else.
+  using Number = std::int32_t;
+  static Number number(Index index) {
+    if (index > std::numeric_limits<Number>::max()) throw std::length_error("make_term: too many unknowns");
+    return static_cast<Number>(index);
+  }
 
   /// Calls visit(o, i) for each output slot o that depends on input slot i at this place.
   template <class Visit>
@@ -148,8 +167,8 @@ class KernelTerm final : public Term<Context> {
   }
 
   Kernel kernel_;
-  std::vector<std::array<Index, n_in>> in_;
-  std::vector<std::array<Index, n_out>> out_;
+  std::vector<std::array<Number, n_in>> in_;
+  std::vector<std::array<Number, n_out>> out_;
   std::vector<std::size_t> entry_start_;
   std::vector<std::int32_t> position_;
   std::vector<Entry> entry_;

@@ -224,6 +224,45 @@ TEST(Condensed, SolvesForTheChainsAndGivesTheSameBitsAgain) {
   EXPECT_EQ(first, again);
 }
 
+TEST(Condensed, FactorsInSinglePrecisionWhereThatIsAllThatIsAsked) {
+  linear::Settings loose{.choice = Choice::condensed};
+  loose.accuracy = 1e-6;
+  const Matrix good = saddle_point(80, 6, 1e2, ConstraintAt::w);
+  const auto single = linear::make_solver(good.pattern, loose);
+  const double residual = solve_residual(*single, good);
+  EXPECT_LT(residual, 1e-6);
+  EXPECT_GT(residual, 1e-12);
+  EXPECT_EQ(single->statistics().rejected, 0);
+  EXPECT_NE(single->describe().find("in single precision"), std::string::npos) << single->describe();
+}
+
+/// Pairs of unknowns whose second pivot is `gap`, in rows too long for chains.
+Matrix nearly_singular_pairs(double gap) {
+  constexpr Index n = 40;
+  MatrixBuilder builder(n);
+  for (Index i = 0; i < n; i += 2) {
+    builder.add(i, i, 1.0 + gap);
+    builder.add(i, i + 1, 1.0);
+    builder.add(i + 1, i, 1.0);
+    builder.add(i + 1, i + 1, 1.0);
+    for (Index j = 0; j < n; j += 4)
+      for (const Index row : {i, i + 1}) builder.add(row, j, 0.0);
+  }
+  return builder.build();
+}
+
+TEST(Condensed, GoesBackToDoubleWhereSinglePrecisionFails) {
+  linear::Settings loose{.choice = Choice::condensed};
+  loose.accuracy = 1e-6;
+  // 1 + 1e-9 is 1 in single precision, and the matrix singular; of 1 + 1e-6 seven digits in a hundred are left.
+  for (const double gap : {1e-9, 1.05e-7}) {
+    const Matrix m = nearly_singular_pairs(gap);
+    const auto solver = linear::make_solver(m.pattern, loose);
+    EXPECT_LT(solve_residual(*solver, m), 1e-6) << solver->describe();
+    EXPECT_NE(solver->describe().find("in double precision"), std::string::npos) << gap << solver->describe();
+  }
+}
+
 TEST(Automatic, TakesTheSameSolverEachTimeAndSaysWhy) {
   const Matrix m = saddle_point(60, 8, 1e3);
   const auto one = linear::make_solver(m.pattern), other = linear::make_solver(m.pattern);

@@ -33,8 +33,11 @@ struct WallFriction : Kernel {
     const S& u = in.y[u_];
     const S w = u * slope + 0.25 * (in.y[omega_] + in.y[omega_ + 1] + in.y[omega_ + 2] + in.y[omega_ + 3]);
     const S p = rheology::positive_pressure(S(0.5 * (in.y[p_] + in.y[p_ + 1])), par.regularisation.p_0);
-    const S drag = (2.0 * par.wall.mu_w / par.box.gap * width(f)) * g.h_face(2, k) * p *
-                   rheology::friction_direction(S(u * u + w * w), par.wall.u_c);
+    const S drag =
+        (2.0 * par.wall.mu_w / par.box.gap * width(f)) * g.h_face(2, k) * p *
+        core::through(
+            [&](const auto& speed_squared) { return rheology::friction_direction(speed_squared, par.wall.u_c); },
+            S(u * u + w * w));
     scatter_momentum(S(drag * u), S(drag * w), slope, out, 0);
   }
 };
@@ -55,10 +58,8 @@ struct PressureAlong : Kernel {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
-    const Box& box = c.parameters->box;
-    const double rho = c.parameters->grains.rho();
     const Heights<S, n_in> g(c, f - 1, in, H_);
-    const S weight = (rho * box.gravity * width(f)) * (std::sin(box.tilt) - std::cos(box.tilt) * g.rise(1, k));
+    const S weight = width(f) * (c.weight_along - c.weight_down * g.rise(1, k));
     out[0] += g.h_face(1, k) * ((in.y[p_ + 1] - in.y[p_]) / columns.dx() - weight);
   }
 };
@@ -77,10 +78,9 @@ struct PressureAcross : Kernel {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place) + 1;
-    const Box& box = c.parameters->box;
     const Heights<S, n_in> g(c, i, in, H_);
     const S between = k < columns.n_layers ? S(0.5 * (g.h(0, k - 1) + g.h(0, k))) : S(0.5 * g.h(0, k - 1));
-    out[0] += in.y[p_ + 1] - in.y[p_] + (c.parameters->grains.rho() * box.gravity * std::cos(box.tilt)) * between;
+    out[0] += in.y[p_ + 1] - in.y[p_] + c.weight_down * between;
   }
 };
 

@@ -97,8 +97,8 @@ struct ConvectionAcross : Kernel {
   enum In { u_, omega_ = 2, H_ = 8 };
 
   [[nodiscard]] Index n_places() const { return Index{columns.n_faces()} * (columns.n_layers - 1); }
-  [[nodiscard]] int face_of(Index place) const { return static_cast<int>(place / (columns.n_layers - 1)); }
-  [[nodiscard]] int interface_of(Index place) const { return static_cast<int>(place % (columns.n_layers - 1)) + 1; }
+  [[nodiscard]] int face_of(Index place) const { return static_cast<int>(place) / (columns.n_layers - 1); }
+  [[nodiscard]] int interface_of(Index place) const { return static_cast<int>(place) % (columns.n_layers - 1) + 1; }
   void connect(Index place, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const int f = face_of(place), k = interface_of(place);
     const auto& y = unknowns;

@@ -14,8 +14,8 @@ struct Kernel {
 
   [[nodiscard]] Index n_cells() const { return Index{columns.n_columns} * columns.n_layers; }
   [[nodiscard]] Index n_face_layers() const { return Index{columns.n_faces()} * columns.n_layers; }
-  [[nodiscard]] int across(Index place) const { return static_cast<int>(place / columns.n_layers); }
-  [[nodiscard]] int layer(Index place) const { return static_cast<int>(place % columns.n_layers); }
+  [[nodiscard]] int across(Index place) const { return static_cast<int>(place) / columns.n_layers; }
+  [[nodiscard]] int layer(Index place) const { return static_cast<int>(place) % columns.n_layers; }
   /// Width of the momentum volume about face f, as a share of dx.
   [[nodiscard]] double width(int f) const { return columns.is_end(f) ? 0.5 : 1.0; }
   /// Whether the end faces of this kind leak: an open end, not a wall and not a seam.

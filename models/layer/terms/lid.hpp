@@ -37,8 +37,7 @@ struct PressureLevel : Kernel {
     const Parameters& par = *c.parameters;
     const Heights<S, n_in> g(c, columns.n_columns - 1, in, H_);
     const double on_lid = par.forcing ? par.forcing->lid_pressure(c.t) : par.box.lid->pressure;
-    const double weight = par.grains.rho() * par.box.gravity * std::cos(par.box.tilt);
-    out[0] += in.y[p_] - (0.5 * weight) * g.h(0, columns.n_layers - 1) - on_lid;
+    out[0] += in.y[p_] - (0.5 * c.weight_down) * g.h(0, columns.n_layers - 1) - on_lid;
   }
 };
 

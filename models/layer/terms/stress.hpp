@@ -18,11 +18,15 @@ template <class S>
 Stress<S> stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p, const S& H) {
   if (par.fluid) return {(2.0 * par.fluid->eta) * D_xx, (2.0 * par.fluid->eta) * D_xz};
   const auto& reg = par.regularisation;
-  const S D_norm_squared = D_xx * D_xx + D_xz * D_xz;
-  const S eta = reg.rate_speed > 0.0
-                    ? rheology::viscosity(par.law, par.grains, reg, S(D_norm_squared + reg.rate_floor * reg.rate_floor),
-                                          S(reg.rate_speed / H), p)
-                    : rheology::viscosity(par.law, par.grains, reg, D_norm_squared, reg.rate_floor, p);
+  // Few arguments, many inputs: derivatives by the arguments first.
+  const S eta = core::through(
+      [&]<class T>(const T& D_norm_squared, const T& pressure, const T& thickness) {
+        return reg.rate_speed > 0.0
+                   ? rheology::viscosity(par.law, par.grains, reg, T(D_norm_squared + reg.rate_floor * reg.rate_floor),
+                                         T(reg.rate_speed / thickness), pressure)
+                   : rheology::viscosity(par.law, par.grains, reg, D_norm_squared, reg.rate_floor, pressure);
+      },
+      S(D_xx * D_xx + D_xz * D_xz), p, H);
   const S two_eta = 2.0 * eta;
   return {two_eta * D_xx, two_eta * D_xz};
 }
