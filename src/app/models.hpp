@@ -20,8 +20,8 @@ struct Simulation {
 /// One rung of the ladder that a scene can ask for.
 struct Model {
   std::string name;
-  std::string doc;   ///< one line
-  bool has_columns;  ///< needs `grid.columns`
+  std::string doc;          ///< one line
+  bool has_columns;         ///< needs `grid.columns`
   bool has_layers = false;  ///< its cells are layers: `grid.layers` and, if it has them, columns part the grains
   bool fixed_grid =
       false;  ///< cells fill the box, which is empty unless an initial thickness is stated; else layers fill the film

@@ -88,9 +88,8 @@ RunReader::Cells RunReader::last_record(const std::string& name) const {
 bool RunReader::is_field(int id) const {
   const auto dimensions = dimensions_of(file_, id);
   const bool recorded = dimensions.size() > 1 && dimensions.front() == "time";
-  const bool has_cells =
-      std::all_of(dimensions.begin() + (recorded ? 1 : 0), dimensions.end(),
-                  [](const std::string& name) { return name == "layer" || name == "column"; });
+  const bool has_cells = std::all_of(dimensions.begin() + (recorded ? 1 : 0), dimensions.end(),
+                                     [](const std::string& name) { return name == "layer" || name == "column"; });
   return recorded && has_cells && text(id, "axis").empty() && text(id, "flag_meanings").empty();
 }
 
