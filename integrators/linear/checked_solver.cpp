@@ -35,12 +35,12 @@ void CheckedSolver::solve(std::span<double> b) {
   ++statistics_.solves;
   std::copy(b.begin(), b.end(), b_.begin());
   substitute(b);
-  if (!first_ && accuracy_ > full_accuracy) {
+  if (!first_ && coarse()) {
     if (!std::ranges::all_of(b, [](double x) { return std::isfinite(x); })) throw not_finite();
     return;
   }
   double size = residual(b_, b);
-  if (first_ && !(acceptable(size) && (accuracy_ <= full_accuracy || error_in(b) < trust_below))) {
+  if (first_ && !(acceptable(size) && (!coarse() || error_in(b) < trust_below))) {
     ++statistics_.rejected;
     rejected_ = true;
     factor_anew();
@@ -50,7 +50,7 @@ void CheckedSolver::solve(std::span<double> b) {
   }
   if (first_) statistics_.first_residual = size;
   first_ = first_ && size == 0.0;  // a zero right side proves nothing
-  for (int step = 0; step < 2 && size > accuracy_ && std::isfinite(size); ++step) {
+  for (int step = 0; step < 2 && size > (coarse() ? accuracy_ : full_accuracy) && std::isfinite(size); ++step) {
     ++statistics_.refinements;
     std::copy(r_.begin(), r_.end(), x_.begin());
     substitute(x_);

@@ -6,24 +6,27 @@
 
 namespace talus::linear {
 
-/// What the solvers share. Each solve is followed by its residual and, where that is above the accuracy asked for, by up to
-/// two steps of iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew,
-/// with new pivots. Where less than `full_accuracy` is asked for, it is the only one that is followed by its residual, and
-/// a solve for that residual shows how much of it is wrong: a small residual alone proves nothing where A is nearly singular.
+/// What the solvers share. Each solve is followed by its residual and, where that is above full_accuracy, by up to two steps of
+/// iterative refinement. The first solve of a factorisation is also its test: one that fails is done anew, with new pivots.
 /// The relative residual is max |D (b - A x)| / max D (|A| |x| + |b|), D the reciprocal largest entry of each row.
+///
+/// Coarse factors, made for less accuracy, are tested twice by their first solve: by its residual, and by how much a solve for
+/// that residual changes it (a small residual proves nothing where A is nearly singular). Their other solves are taken as
+/// they come.
 class CheckedSolver : public DirectSolver {
  public:
-  static constexpr double accept_below =
-      1e-8;  ///< relative residual of a first solve, unless less accuracy is asked for
+  static constexpr double accept_below = 1e-8;  ///< relative residual of a first solve
 
   explicit CheckedSolver(const SparsePattern& pattern);
 
-  static constexpr double trust_below = 1e-3;  ///< error of a first solve where less than full accuracy is asked for
+  static constexpr double trust_below = 1e-3;  ///< error of a first solve with coarse factors
 
-  /// The relative residual that is asked of each solve, full_accuracy unless said; see Settings.
+  /// The relative residual that coarse factors must reach, full_accuracy unless said; see Settings.
   void demand(double accuracy) { accuracy_ = accuracy; }
   /// Whether a first solve with that relative residual shows the factors to be good.
-  [[nodiscard]] bool acceptable(double residual) const { return residual < std::max(accept_below, accuracy_); }
+  [[nodiscard]] bool acceptable(double residual) const {
+    return residual < (coarse() ? std::max(accept_below, accuracy_) : accept_below);
+  }
 
   void factor(std::span<const double> values) final;
   void solve(std::span<double> b) final;
@@ -45,6 +48,8 @@ class CheckedSolver : public DirectSolver {
     statistics_.fill = fill;
     statistics_.flops = flops;
   }
+  /// Whether the factors at hand are made for less than full accuracy.
+  [[nodiscard]] virtual bool coarse() const { return false; }
   [[nodiscard]] double accuracy() const { return accuracy_; }
   /// Whether the factors of this matrix failed their test before.
   [[nodiscard]] bool rejected() const { return rejected_; }

@@ -6,7 +6,8 @@
 
 namespace talus::linear {
 
-CondensedSolver::CondensedSolver(const SparsePattern& matrix) : CheckedSolver(matrix), number_(matrix.n(), -1) {
+CondensedSolver::CondensedSolver(const SparsePattern& matrix, std::size_t least_for_single)
+    : CheckedSolver(matrix), number_(matrix.n(), -1), least_for_single_(least_for_single) {
   const Index n = matrix.n();
   const auto starts = matrix.column_starts();
   const auto rows = matrix.rows();

@@ -11,14 +11,17 @@ namespace talus::linear {
 /// by cell up a column) are solved for that unknown exactly; what is left is a narrower band, factored by TwoEndedBand.
 /// A row belongs to a chain if it has at most `longest_row` entries, one of them on its diagonal, and no entry in another
 /// chain unknown but the one before it. The diagonal entries must not vanish.
-/// Where no more accuracy is asked for than `single_precision`, the band is factored in single precision, which halves its size
-/// and its time; a matrix that is singular then, or whose first solve fails, is factored in double.
+/// Where no more accuracy is asked for than `single_precision`, a band that is large in double precision is factored in single
+/// precision, which halves its size and its time; a matrix that is singular then, or whose first solve fails, is factored in double.
 class CondensedSolver final : public CheckedSolver {
  public:
   static constexpr Index longest_row = 8;
   static constexpr double single_precision = 1e-6;
 
-  explicit CondensedSolver(const SparsePattern& matrix);
+  static constexpr std::size_t large = 16 << 20;  ///< [bytes]: no cache holds it, solves are bound by memory
+
+  /// Single precision from `least_for_single` bytes of the band on.
+  explicit CondensedSolver(const SparsePattern& matrix, std::size_t least_for_single = large);
 
   [[nodiscard]] std::string describe() const override;
   [[nodiscard]] std::string chosen() const override { return name; }
@@ -29,11 +32,14 @@ class CondensedSolver final : public CheckedSolver {
   [[nodiscard]] double flops_bound() const;
   [[nodiscard]] std::size_t memory() const { return allows_single() ? single_.memory() : double_.memory(); }
   /// Whether single precision is tried.
-  [[nodiscard]] bool allows_single() const { return accuracy() >= single_precision; }
+  [[nodiscard]] bool allows_single() const {
+    return accuracy() >= single_precision && double_.memory() >= least_for_single_;
+  }
 
  protected:
   void factor_anew() override;
   void substitute(std::span<double> b) override;
+  [[nodiscard]] bool coarse() const override { return in_single_; }
 
  private:
   struct Entry {
@@ -67,6 +73,7 @@ class CondensedSolver final : public CheckedSolver {
   std::vector<Index> kept_;            ///< unknown of each kept number
   std::vector<Index> number_;          ///< kept number of each unknown, -1 for links
   std::vector<double> column_values_;  ///< of the links' columns, link after link, rows scaled
+  std::size_t least_for_single_;
   Index width_ = 0;
   bool in_single_ = false;  ///< the precision of the factors at hand
   std::vector<Direct> direct_;

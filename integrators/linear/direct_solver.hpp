@@ -69,8 +69,8 @@ struct Settings {
   Choice choice = Choice::automatic;
   double pivot_tolerance = 0.1;      ///< KLU: take a diagonal pivot this large relative to the largest of its column
   std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
-  /// Relative residual asked of each solve. Above full_accuracy only the first solve of a factorisation is checked, and from
-  /// CondensedSolver::single_precision on, factors may be in single precision: for Newton's corrections, which contract.
+  /// Relative residual that is enough, for Newton's corrections, which contract: a solver may make coarse factors. From
+  /// CondensedSolver::single_precision on, large ones are in single precision.
   double accuracy = full_accuracy;
   std::string chosen = {};  ///< DirectSolver::chosen() of an earlier solver: taken without trials; "" or unknown: tried
 };

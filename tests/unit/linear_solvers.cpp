@@ -214,26 +214,29 @@ TEST(Umfpack, BothStrategiesAreSetAndNotGuessed) {
 
 TEST(Condensed, SolvesForTheChainsAndGivesTheSameBitsAgain) {
   const Matrix m = saddle_point(80, 6, 1e2, ConstraintAt::w);
-  linear::CondensedSolver solver(m.pattern);
-  EXPECT_EQ(solver.n_kept(), m.pattern.n() - 80 * 6);
-  auto first = right_side(m), again = first;
-  solver.factor(m.values);
-  solver.solve(first);
-  solver.factor(m.values);
-  solver.solve(again);
-  EXPECT_EQ(first, again);
+  for (const double accuracy : {linear::full_accuracy, 1e-6}) {
+    linear::CondensedSolver solver(m.pattern, 0);
+    solver.demand(accuracy);
+    EXPECT_EQ(solver.n_kept(), m.pattern.n() - 80 * 6);
+    auto first = right_side(m), again = first;
+    solver.factor(m.values);
+    solver.solve(first);
+    solver.factor(m.values);
+    solver.solve(again);
+    EXPECT_EQ(first, again);
+  }
 }
 
-TEST(Condensed, FactorsInSinglePrecisionWhereThatIsAllThatIsAsked) {
-  linear::Settings loose{.choice = Choice::condensed};
-  loose.accuracy = 1e-6;
-  const Matrix good = saddle_point(80, 6, 1e2, ConstraintAt::w);
-  const auto single = linear::make_solver(good.pattern, loose);
-  const double residual = solve_residual(*single, good);
+TEST(Condensed, FactorsInSinglePrecisionWhatIsLargeWhereThatIsAllThatIsAsked) {
+  const Matrix m = saddle_point(80, 6, 1e2, ConstraintAt::w);
+  linear::CondensedSolver single(m.pattern, 0), small(m.pattern);
+  for (auto* solver : {&single, &small}) solver->demand(1e-6);
+  const double residual = solve_residual(single, m);
   EXPECT_LT(residual, 1e-6);
   EXPECT_GT(residual, 1e-12);
-  EXPECT_EQ(single->statistics().rejected, 0);
-  EXPECT_NE(single->describe().find("in single precision"), std::string::npos) << single->describe();
+  EXPECT_EQ(single.statistics().rejected, 0);
+  EXPECT_NE(single.describe().find("in single precision"), std::string::npos) << single.describe();
+  EXPECT_LT(solve_residual(small, m), 1e-12) << small.describe();
 }
 
 /// Pairs of unknowns whose second pivot is `gap`, in rows too long for chains.
@@ -252,14 +255,13 @@ Matrix nearly_singular_pairs(double gap) {
 }
 
 TEST(Condensed, GoesBackToDoubleWhereSinglePrecisionFails) {
-  linear::Settings loose{.choice = Choice::condensed};
-  loose.accuracy = 1e-6;
-  // 1 + 1e-9 is 1 in single precision, and the matrix singular; of 1 + 1e-6 seven digits in a hundred are left.
+  // 1 + 1e-9 is 1 in single precision, and the matrix singular; of 1 + 1.05e-7 one digit is left, though the residual is small.
   for (const double gap : {1e-9, 1.05e-7}) {
     const Matrix m = nearly_singular_pairs(gap);
-    const auto solver = linear::make_solver(m.pattern, loose);
-    EXPECT_LT(solve_residual(*solver, m), 1e-6) << solver->describe();
-    EXPECT_NE(solver->describe().find("in double precision"), std::string::npos) << gap << solver->describe();
+    linear::CondensedSolver solver(m.pattern, 0);
+    solver.demand(1e-6);
+    EXPECT_LT(solve_residual(solver, m), 1e-6) << solver.describe();
+    EXPECT_NE(solver.describe().find("in double precision"), std::string::npos) << gap << solver.describe();
   }
 }
 
