@@ -51,7 +51,7 @@ struct Numerics {
   double return_speed = 0.1;    ///< at which what is out of [0, 1] goes to the neighbours; 0: it stays [m/s]
   double x_grading = 1.0;       ///< as Grid::x_ratio
   double z_grading = 1.0;       ///< as Grid::z_ratio
-  double atol_fraction = 1e-3;  ///< absolute tolerance of phi [1]
+  double atol_fraction = 1e-5;  ///< absolute tolerance of phi [1]
   double inlet_fraction = 0.2;  ///< phi of what is poured [1]
   double jet_margin = 0.025;    ///< of the jet region beyond the inlet's edges (5.11) [m]
   double jet_clearance = 0.02;  ///< of the jet region above the heap (5.12) [m]
