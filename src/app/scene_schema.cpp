@@ -163,7 +163,8 @@ void numerics(Schema& s) {
             .fallback(0.1));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
-  s.add(number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).optional("a tenth of rtol"));
+  s.add(
+      number("atol_fraction", "1", "absolute tolerance of the volume fraction").above(0.0).optional("a tenth of rtol"));
   s.add(number("inlet_fraction", "1", "volume fraction of the grains as they are poured")
             .above(0.0)
             .at_most(1.0)
