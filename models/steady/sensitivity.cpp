@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rheology/well_posedness.hpp"
+#include "steady/slope.hpp"
 #include "steady/vector_quadrature.hpp"
 
 namespace talus::steady {
@@ -184,6 +185,23 @@ Sensitivity surface_q(const VariedChannel& varied, const UniformFlow& flow) {
   const double I = flow.inertial_number(0.0);
   const auto slopes = rheology::posedness_slopes(varied.channel.law, I);
   return through_surface(varied, flow, rheology::response(varied.channel.law, I).q, slopes.q_by_I, slopes.q);
+}
+
+// ln Q is nearly a straight line in the logarithm of the slope's excess over rest, whatever the law.
+Answer<FlowWithFlux> flow_near(const VariedChannel& varied, double Q, std::optional<double> guess) {
+  constexpr int most_steps = 8;
+  const double rest = rheology::friction_at_rest(varied.channel.law);
+  for (int step = 0; guess && step<most_steps&& * guess> rest; ++step) {
+    const auto flow = UniformFlow::at_friction(varied.channel, *guess);
+    if (!flow) break;
+    const auto flux = flux_sensitivity(varied, *flow);
+    const double off = std::log(flux.value / Q);
+    if (std::abs(off) <= 1e-12) return FlowWithFlux{*flow, flux};
+    guess = rest + (*guess - rest) * std::exp(-off * flux.value / (flux.by_slope * (*guess - rest)));
+  }
+  const auto flow = flow_of_flux(varied.channel, Q);
+  if (!flow) return Answer<FlowWithFlux>::none(flow.reason());
+  return FlowWithFlux{*flow, flux_sensitivity(varied, *flow)};
 }
 
 Sensitivity at_fixed_flux(const Sensitivity& any, const Sensitivity& flux) {

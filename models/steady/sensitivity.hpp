@@ -11,8 +11,8 @@ namespace talus::steady {
 /// What measurements of a steady flow may leave open.
 enum class Parameter { mu_s, mu_d, mu_inf, I_0, alpha, mu_w, W, d, Phi, rho_star };
 inline constexpr int n_parameters = 10;
-inline constexpr std::array<std::string_view, n_parameters> parameter_names{"mu_s", "mu_d", "mu_inf", "I_0", "alpha",
-                                                                            "mu_w", "W",    "d",      "Phi", "rho_star"};
+inline constexpr std::array<std::string_view, n_parameters> parameter_names{
+    "mu_s", "mu_d", "mu_inf", "I_0", "alpha", "mu_w", "W", "d", "Phi", "rho_star"};
 inline constexpr std::array<std::string_view, n_parameters> parameter_units{"1", "1", "1", "1", "1",
                                                                             "1", "m", "m", "1", "kg/m3"};
 /// Whether a law of this kind has the parameter; all channels have mu_w, W, d, Phi, rho_star.
@@ -48,6 +48,14 @@ struct Sensitivity {
 /// C (3.18), and q, at its surface.
 [[nodiscard]] Sensitivity surface_C(const VariedChannel& varied, const UniformFlow& flow);
 [[nodiscard]] Sensitivity surface_q(const VariedChannel& varied, const UniformFlow& flow);
+
+/// The flow that carries Q [kg/s], with the sensitivity of its flux: by Newton's method from the slope of tangent `guess`,
+/// to 1e-12 of Q; by `flow_of_flux` where that fails, or where there is no guess. None as there.
+struct FlowWithFlux {
+  UniformFlow flow;
+  Sensitivity flux;
+};
+[[nodiscard]] Answer<FlowWithFlux> flow_near(const VariedChannel& varied, double Q, std::optional<double> guess);
 
 /// Of something that depends on the slope, along the slope that keeps the flux Q: d/dp = by - by_slope Q_p/Q_slope.
 /// `by_slope` is then zero.

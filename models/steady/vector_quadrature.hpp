@@ -39,8 +39,7 @@ std::array<double, N> vector_integral(F&& f, double a, double b) {
     bool agree = true;
     for (std::size_t k = 0; k < N; ++k) {
       both[k] = left[k] + right[k];
-      if (!std::isfinite(both[k]))
-        throw core::Error(core::ExitCode::solver, "quadrature: an integrand is not finite");
+      if (!std::isfinite(both[k])) throw core::Error(core::ExitCode::solver, "quadrature: an integrand is not finite");
       agree = agree && std::abs(both[k] - whole[k]) <= 1e-11 * size[k];
     }
     if (agree) return both;

@@ -15,8 +15,8 @@
 namespace talus::app {
 
 int plot(const std::filesystem::path& folder, bool movie) {
-  if (!std::filesystem::exists(folder / "run.nc"))
-    throw core::ConfigError(folder.string() + ": holds no run (no run.nc)");
+  if (!std::filesystem::exists(folder / "run.nc") && !std::filesystem::exists(folder / "fit.nc"))
+    throw core::ConfigError(folder.string() + ": holds no run and no fit (no run.nc, no fit.nc)");
   std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string(),
               film = "--movie";
   std::array<char*, 5> arguments{python.data(), program.data(), where.data(), movie ? film.data() : nullptr, nullptr};

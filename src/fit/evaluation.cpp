@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/errors.hpp"
 #include "steady/slope.hpp"
 
 namespace talus::fit {
@@ -22,10 +23,17 @@ struct State {
   [[nodiscard]] Sensitivity total(const Sensitivity& s) const { return flux ? steady::at_fixed_flux(s, *flux) : s; }
 };
 
-Answer<State> state_of(const steady::VariedChannel& varied, std::optional<double> Q, std::optional<double> zeta) {
-  const auto flow = Q ? steady::flow_of_flux(varied.channel, *Q) : UniformFlow::at(varied.channel, *zeta);
-  if (!flow) return Answer<State>::none(flow.reason());
-  return State{*flow, Q ? std::optional(steady::flux_sensitivity(varied, *flow)) : std::nullopt};
+/// `tangent`: a guess of tan zeta, replaced by what was found.
+Answer<State> state_of(const steady::VariedChannel& varied, std::optional<double> Q, std::optional<double> zeta,
+                       std::optional<double>& tangent) {
+  if (!Q) {
+    const auto flow = UniformFlow::at(varied.channel, *zeta);
+    return flow ? Answer<State>(State{*flow, {}}) : Answer<State>::none(flow.reason());
+  }
+  const auto found = steady::flow_near(varied, *Q, tangent);
+  if (!found) return Answer<State>::none(found.reason());
+  tangent = found->flow.tan_zeta();
+  return State{found->flow, found->flux};
 }
 
 Sensitivity tan_zeta(const UniformFlow& flow) { return {flow.tan_zeta(), {}, 1.0}; }
@@ -38,8 +46,8 @@ double to_angle(const UniformFlow& flow) { return 1.0 / (1.0 + flow.tan_zeta() *
 Model::Model(Problem problem) : problem_(std::move(problem)) {
   for (const auto& u : problem_.unknowns) {
     const auto i = static_cast<std::size_t>(u.parameter);
-    variables_.push_back({std::string(steady::parameter_names[i]), std::string(steady::parameter_units[i]), u.start,
-                          u.low, u.high});
+    variables_.push_back(
+        {std::string(steady::parameter_names[i]), std::string(steady::parameter_units[i]), u.start, u.low, u.high});
   }
   for (const auto& profile : problem_.profiles) {
     offset_of_.push_back(profile.offset_limit > 0.0 ? static_cast<int>(variables_.size()) : -1);
@@ -47,12 +55,14 @@ Model::Model(Problem problem) : problem_(std::move(problem)) {
       variables_.push_back({"offset of " + profile.name, "m", 0.0, -profile.offset_limit, profile.offset_limit});
   }
   for (const auto& point : problem_.slopes) slope_sigma_.push_back(point.zeta_error);
+  tangents_.resize(problem_.slopes.size() + problem_.profiles.size());
   n_data_ = static_cast<int>(problem_.slopes.size());
   for (const auto& profile : problem_.profiles) n_data_ += static_cast<int>(profile.depth.size());
 }
 
 int Model::n_residuals() const {
-  return n_data_ + static_cast<int>(std::ranges::count_if(problem_.unknowns, [](auto& u) { return u.prior.has_value(); }));
+  return n_data_ +
+         static_cast<int>(std::ranges::count_if(problem_.unknowns, [](auto& u) { return u.prior.has_value(); }));
 }
 
 int Model::n_conditions() const {
@@ -76,8 +86,8 @@ Eigen::RowVectorXd Model::by_variables(const Sensitivity& s, double factor) cons
 
 Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
   const auto n = static_cast<Eigen::Index>(variables_.size());
-  Evaluation out{Eigen::VectorXd(n_residuals()), Eigen::MatrixXd::Zero(n_residuals(), n), Eigen::VectorXd(n_conditions()),
-                 Eigen::MatrixXd::Zero(n_conditions(), n)};
+  Evaluation out{Eigen::VectorXd(n_residuals()), Eigen::MatrixXd::Zero(n_residuals(), n),
+                 Eigen::VectorXd(n_conditions()), Eigen::MatrixXd::Zero(n_conditions(), n)};
   Eigen::Index row = 0, condition = 0;
   const auto put = [&](double residual, const Eigen::RowVectorXd& by) {
     out.residuals[row] = residual;
@@ -94,7 +104,7 @@ Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
     };
     for (std::size_t i = 0; i < problem_.slopes.size(); ++i) {
       const auto& point = problem_.slopes[i];
-      const auto state = state_of(varied, point.Q, {});
+      const auto state = state_of(varied, point.Q, {}, tangents_[i]);
       if (!state) return Answer<Evaluation>::none(point.place + ": " + state.reason());
       const auto s = state->total(tan_zeta(state->flow));
       put((state->flow.zeta() - point.zeta) / slope_sigma_[i],
@@ -103,7 +113,7 @@ Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
     }
     for (std::size_t k = 0; k < problem_.profiles.size(); ++k) {
       const auto& profile = problem_.profiles[k];
-      const auto state = state_of(varied, profile.Q, profile.zeta);
+      const auto state = state_of(varied, profile.Q, profile.zeta, tangents_[problem_.slopes.size() + k]);
       if (!state) return Answer<Evaluation>::none(profile.name + ": " + state.reason());
       const double offset = offset_of_[k] < 0 ? 0.0 : x[offset_of_[k]];
       for (std::size_t i = 0; i < profile.depth.size(); ++i) {
@@ -115,7 +125,11 @@ Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
       }
       put_condition(*state);
     }
-  } catch (const std::invalid_argument& error) { return Answer<Evaluation>::none(error.what()); }
+  } catch (const std::invalid_argument& error) {
+    return Answer<Evaluation>::none(error.what());
+  } catch (const core::Error& error) {  // within rounding of the law's steepest slope
+    return Answer<Evaluation>::none(error.what());
+  }
   for (std::size_t i = 0; i < problem_.unknowns.size(); ++i) {
     const auto& prior = problem_.unknowns[i].prior;
     if (!prior) continue;
@@ -128,7 +142,8 @@ Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
 
 Answer<Model::Prediction> Model::predict(const Eigen::VectorXd& x, double Q) const {
   const auto varied = channel(x);
-  const auto state = state_of(varied, Q, {});
+  std::optional<double> no_guess;
+  const auto state = state_of(varied, Q, {}, no_guess);
   if (!state) return Answer<Prediction>::none(state.reason());
   const auto speed = state->total(steady::speed_sensitivity(varied, state->flow, 0.0));
   return Prediction{state->flow.zeta(), speed.value, state->flow.inertial_number(0.0),
@@ -140,7 +155,7 @@ double Model::weigh(const Eigen::VectorXd& x) {
   double change = 0.0;
   for (std::size_t i = 0; i < problem_.slopes.size(); ++i) {
     const auto& point = problem_.slopes[i];
-    const auto state = state_of(varied, point.Q, {}).value();
+    const auto state = state_of(varied, point.Q, {}, tangents_[i]).value();
     const double by_flux = to_angle(state.flow) / state.flux->by_slope;
     const double sigma = std::hypot(point.zeta_error, by_flux * point.Q_error);
     change = std::max(change, std::abs(sigma / slope_sigma_[i] - 1.0));

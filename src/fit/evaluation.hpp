@@ -17,8 +17,9 @@ struct Variable {
 /// (model - measured)/sigma of every slope, then every speed, then (value - prior)/sigma of every prior.
 struct Evaluation {
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd jacobian;    ///< by each variable
-  Eigen::VectorXd conditions;  ///< C, or q - 1, at the surface of each slope point, then of each profile; at most 0 if well-posed
+  Eigen::MatrixXd jacobian;  ///< by each variable
+  Eigen::VectorXd
+      conditions;  ///< C, or q - 1, at the surface of each slope point, then of each profile; at most 0 if well-posed
   Eigen::MatrixXd conditions_jacobian;
 };
 
@@ -57,6 +58,8 @@ class Model {
   std::vector<Variable> variables_;
   std::vector<int> offset_of_;  ///< variable of each profile, -1: none
   std::vector<double> slope_sigma_;
+  /// tan zeta found last at each slope point, then each profile, from which the next search starts: not for two threads.
+  mutable std::vector<std::optional<double>> tangents_;
   int n_data_ = 0;
 };
 

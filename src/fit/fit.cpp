@@ -33,9 +33,20 @@ class Report {
 
   Fit write() {
     const auto& problem = model_.problem();
-    Fit out{.best = model_.channel(x_), .x = x_, .estimates = {}, .residuals = at_.residuals,
-            .slope_sigma = model_.slope_sigma(), .chi2 = at_.residuals.squaredNorm(), .freedom = 0, .chance = 1.0,
-            .data = {}, .all = {}, .lumps = {}, .margins = {}, .predictions = {}, .starts = {}};
+    Fit out{.best = model_.channel(x_),
+            .x = x_,
+            .estimates = {},
+            .residuals = at_.residuals,
+            .slope_sigma = model_.slope_sigma(),
+            .chi2 = at_.residuals.squaredNorm(),
+            .freedom = 0,
+            .chance = 1.0,
+            .data = {},
+            .all = {},
+            .lumps = {},
+            .margins = {},
+            .predictions = {},
+            .starts = {}};
     find_what_is_seen(out);
     out.freedom = model_.n_residuals() - out.all.rank;
     if (out.freedom > 0) out.chance = Eigen::numext::igammac(0.5 * out.freedom, 0.5 * out.chi2);
@@ -124,7 +135,8 @@ class Report {
     return e;
   }
 
-  static Margin margin(const std::string& place, const steady::UniformFlow& flow, const steady::PosednessBounds& bounds) {
+  static Margin margin(const std::string& place, const steady::UniformFlow& flow,
+                       const steady::PosednessBounds& bounds) {
     const auto depths = steady::ill_posed_depths(flow, bounds);
     return {place, flow.inertial_number(0.0), depths.C_surface, depths.q_surface, depths.C_margin, depths.q_margin};
   }
@@ -152,8 +164,8 @@ void add_profile(const Model& model, const LocalMinimum& best, Estimate& estimat
   std::vector<std::pair<double, double>> points{{estimate.value, 0.0}};
   for (const double side : {-1.0, 1.0}) {
     Eigen::VectorXd from = best.x;
-    for (int step = 1; step <= 6; ++step) {
-      from[i] = estimate.value + side * 0.5 * step * *estimate.error;
+    for (int step = 1; step <= 4; ++step) {
+      from[i] = estimate.value + side * 0.75 * step * *estimate.error;
       if (from[i] < estimate.variable.low || from[i] > estimate.variable.high) break;
       const auto found = descend(model, from, held);
       if (!found) break;
@@ -172,26 +184,33 @@ Answer<Fit> fit(const Problem& problem) {
   const std::vector<bool> none_held(model.variables().size(), false);
   const Starts starts = starting_points(model);
   if (starts.points.empty())
-    return Answer<Fit>::none("the data reject the " + std::string(rheology::name(problem.varied.channel.law)) +
-                             " law: in none of " + std::to_string(starts.infeasible) +
-                             " parameter sets between the bounds has it a steady state at every flow measured; the first: " +
-                             starts.reason);
+    return Answer<Fit>::none(
+        "the data reject the " + std::string(rheology::name(problem.varied.channel.law)) + " law: in none of " +
+        std::to_string(starts.infeasible) +
+        " parameter sets between the bounds has it a steady state at every flow measured; the first: " + starts.reason);
+  const bool flows_uncertain = std::ranges::any_of(problem.slopes, [](const auto& p) { return p.Q_error > 0.0; });
+  if (flows_uncertain) model.weigh(starts.points.front());
   std::optional<LocalMinimum> best;
   std::vector<Start> reached;
+  bool all_ill_posed = true;
   for (const auto& point : starts.points) {
     const auto found = descend(model, point, none_held);
     if (!found) continue;
     reached.push_back({point, found->x, 2.0 * found->cost, found->converged});
-    if (found->converged && (!best || found->cost < best->cost)) best = found;
+    all_ill_posed = all_ill_posed && !found->well_posed;
+    if (found->converged && found->well_posed && (!best || found->cost < best->cost)) best = found;
   }
+  if (!best && all_ill_posed)
+    return Answer<Fit>::none(
+        "none of " + std::to_string(reached.size()) + " starts came to parameters between the bounds that keep " +
+        (problem.condition == Condition::C ? "C <= 0" : "q <= 1") + " at the surface of every flow measured");
   if (!best)
     throw core::Error(core::ExitCode::solver, "fit: none of " + std::to_string(reached.size()) +
                                                   " starts converged; expected fewer unknowns, or closer bounds");
-  const bool flows_uncertain = std::ranges::any_of(problem.slopes, [](const auto& p) { return p.Q_error > 0.0; });
   for (int round = 0; flows_uncertain && round < 20 && model.weigh(best->x) > 1e-6; ++round)
     best = descend(model, best->x, none_held);
   Fit out = Report(model, *best).write();
-  for (std::size_t i = 0; i < out.estimates.size(); ++i)
+  for (std::size_t i = 0; problem.likelihoods && i < out.estimates.size(); ++i)
     add_profile(model, *best, out.estimates[i], static_cast<Eigen::Index>(i));
   out.starts = std::move(reached);
   out.infeasible_draws = starts.infeasible;

@@ -52,12 +52,12 @@ struct Fit {
   steady::VariedChannel best;
   Eigen::VectorXd x;
   std::vector<Estimate> estimates;
-  Eigen::VectorXd residuals;  ///< (model - measured)/sigma, data then priors
+  Eigen::VectorXd residuals;        ///< (model - measured)/sigma, data then priors
   std::vector<double> slope_sigma;  ///< [rad]
-  double chi2;                ///< of data and priors, without the loss
-  int freedom;                ///< data and priors less directions seen
-  double chance;              ///< of a larger chi2 if the model and the errors are right; 1 without freedom
-  Identifiability data, all;  ///< from the data alone, and with the priors
+  double chi2;                      ///< of data and priors, without the loss
+  int freedom;                      ///< data and priors less directions seen
+  double chance;                    ///< of a larger chi2 if the model and the errors are right; 1 without freedom
+  Identifiability data, all;        ///< from the data alone, and with the priors
   std::vector<LumpEstimate> lumps;
   std::vector<Margin> margins;
   double worst_condition = 0.0;  ///< largest C, or q - 1, where that was asked to stay below zero

@@ -23,7 +23,8 @@ Identifiability identifiability(const Eigen::MatrixXd& jacobian, const Eigen::Ve
   // Rows of zeros make the thin decomposition complete where there are fewer data than variables.
   Eigen::MatrixXd scaled = Eigen::MatrixXd::Zero(std::max(jacobian.rows(), n_free), n_free);
   for (Eigen::Index k = 0; k < n_free; ++k)
-    scaled.col(k).head(jacobian.rows()) = jacobian.col(free[static_cast<std::size_t>(k)]) * scale[free[static_cast<std::size_t>(k)]];
+    scaled.col(k).head(jacobian.rows()) =
+        jacobian.col(free[static_cast<std::size_t>(k)]) * scale[free[static_cast<std::size_t>(k)]];
   Identifiability out{scale, {}, Eigen::MatrixXd::Zero(n, n_free), 0, Eigen::MatrixXd::Zero(n, n)};
   if (n_free == 0) return out;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);

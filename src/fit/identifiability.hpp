@@ -9,10 +9,11 @@ namespace talus::fit {
 struct Identifiability {
   /// Variables as they enter: changes in units of `scale`.
   Eigen::VectorXd scale;
-  Eigen::VectorXd singular_values;  ///< descending, one a free variable; 1/value is the standard deviation along its direction
-  Eigen::MatrixXd directions;       ///< columns: changes of all variables in units of `scale`; zero for those held
-  int rank;                         ///< directions seen: singular value above 1e-7 of the largest
-  Eigen::MatrixXd covariance;       ///< in the variables' own units, over the directions seen
+  Eigen::VectorXd
+      singular_values;  ///< descending, one a free variable; 1/value is the standard deviation along its direction
+  Eigen::MatrixXd directions;  ///< columns: changes of all variables in units of `scale`; zero for those held
+  int rank;                    ///< directions seen: singular value above 1e-7 of the largest
+  Eigen::MatrixXd covariance;  ///< in the variables' own units, over the directions seen
 
   /// Whether what changes by `gradient` (per unit of each variable) is fixed by the residuals: it does not change along
   /// any direction unseen.

@@ -24,14 +24,14 @@ std::vector<Lump> lumps(const steady::VariedChannel& varied) {
   const Lump rate{"rate factor", "sqrt(Phi g)/d", "m-0.5 s-1", powers({{P::Phi, 0.5}, {P::d, -1.0}}), root};
   const Lump flux{"flux factor K", "rho_star Phi W sqrt(Phi g)/d (W/mu_w)^(5/2)", "kg s-1",
                   powers({{P::rho_star, 1.0}, {P::Phi, 1.5}, {P::W, 3.5}, {P::mu_w, -2.5}, {P::d, -1.0}}), root};
-  std::vector<Lump> out{{"friction gradient", "mu_w/W", "m-1", powers({{P::mu_w, 1.0}, {P::W, -1.0}}), 1.0},
-                        rate,
-                        {"mass per area", "rho_star Phi W", "kg m-2",
-                         powers({{P::rho_star, 1.0}, {P::Phi, 1.0}, {P::W, 1.0}}), 1.0},
-                        flux};
+  std::vector<Lump> out{
+      {"friction gradient", "mu_w/W", "m-1", powers({{P::mu_w, 1.0}, {P::W, -1.0}}), 1.0},
+      rate,
+      {"mass per area", "rho_star Phi W", "kg m-2", powers({{P::rho_star, 1.0}, {P::Phi, 1.0}, {P::W, 1.0}}), 1.0},
+      flux};
   const auto* partial = std::get_if<rheology::PartiallyRegularised>(&varied.channel.law);
-  const bool scales = std::holds_alternative<rheology::Classical>(varied.channel.law) ||
-                      (partial != nullptr && varied.I_N_follows);
+  const bool scales =
+      std::holds_alternative<rheology::Classical>(varied.channel.law) || (partial != nullptr && varied.I_N_follows);
   if (!scales) return out;
   const auto times_I_0 = [](Lump lump) {
     lump.name += " times I_0", lump.formula = "I_0 " + lump.formula;
@@ -40,7 +40,8 @@ std::vector<Lump> lumps(const steady::VariedChannel& varied) {
   };
   out.push_back(times_I_0(rate));
   out.push_back(times_I_0(flux));
-  if (partial != nullptr) out.push_back({"rise at large I", "mu_inf I_0", "1", powers({{P::mu_inf, 1.0}, {P::I_0, 1.0}}), 1.0});
+  if (partial != nullptr)
+    out.push_back({"rise at large I", "mu_inf I_0", "1", powers({{P::mu_inf, 1.0}, {P::I_0, 1.0}}), 1.0});
   return out;
 }
 

@@ -94,7 +94,8 @@ std::optional<Minimum> minimise(const LeastSquares& problem, const Eigen::Vector
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &sum, &summary);
-  return Minimum{cache.x(t.data()), summary.final_cost, summary.termination_type == ceres::CONVERGENCE, summary.message};
+  return Minimum{cache.x(t.data()), summary.final_cost, summary.termination_type == ceres::CONVERGENCE,
+                 summary.message};
 }
 
 }  // namespace talus::fit

@@ -13,11 +13,12 @@ namespace {
 /// Tries for each start wanted before it is given up.
 constexpr int draws_per_start = 50;
 /// How far C or q - 1 may end above zero.
-constexpr double condition_tolerance = 1e-7;
+constexpr double condition_tolerance = 1e-6;
+constexpr int most_rounds = 20;
 
 /// Augmented Lagrangian of the inequalities condition <= 0: rows sqrt(weight) max(0, condition + multiplier/weight).
 struct Penalty {
-  double weight = 1e4;
+  double weight = 1.0;
   Eigen::VectorXd multiplier;
 
   void append(const Evaluation& e, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) const {
@@ -34,8 +35,14 @@ struct Penalty {
 
 LeastSquares least_squares(const Model& model, const std::vector<bool>& held, const Penalty& penalty) {
   const auto n = static_cast<Eigen::Index>(model.variables().size());
-  LeastSquares out{Eigen::VectorXd(n), Eigen::VectorXd(n), held, {}, model.n_residuals() + model.n_conditions(),
-                   model.n_data(), model.problem().loss, model.problem().loss_scale};
+  LeastSquares out{Eigen::VectorXd(n),
+                   Eigen::VectorXd(n),
+                   held,
+                   {},
+                   model.n_residuals() + model.n_conditions(),
+                   model.n_data(),
+                   model.problem().loss,
+                   model.problem().loss_scale};
   for (Eigen::Index i = 0; i < n; ++i) {
     out.low[i] = model.variables()[static_cast<std::size_t>(i)].low;
     out.high[i] = model.variables()[static_cast<std::size_t>(i)].high;
@@ -55,25 +62,28 @@ LeastSquares least_squares(const Model& model, const std::vector<bool>& held, co
 std::optional<LocalMinimum> descend(const Model& model, const Eigen::VectorXd& start, const std::vector<bool>& held) {
   Penalty penalty;
   penalty.multiplier = Eigen::VectorXd::Zero(model.n_conditions());
+  const auto at_start = model.at(start);
+  if (!at_start) return std::nullopt;
+  // Stiff enough that the condition is ten times nearer after each round, not so stiff that Newton's steps suffer.
+  if (model.n_conditions() > 0)
+    penalty.weight = 10.0 * at_start->jacobian.squaredNorm() / at_start->conditions_jacobian.squaredNorm();
   const LeastSquares problem = least_squares(model, held, penalty);
   auto found = minimise(problem, start);
-  bool kept = model.n_conditions() == 0;
-  for (int round = 0; found && !kept && round < 30; ++round) {
-    const auto at = model.at(found->x);
-    kept = at->conditions.maxCoeff() <= condition_tolerance;
-    if (kept) break;
-    penalty.multiplier = (penalty.multiplier + penalty.weight * at->conditions).cwiseMax(0.0);
+  const auto is_kept = [&] { return model.at(found->x)->conditions.maxCoeff() <= condition_tolerance; };
+  const bool asked = model.n_conditions() > 0;
+  for (int round = 0; found && asked && !is_kept() && round < most_rounds; ++round) {
+    penalty.multiplier = (penalty.multiplier + penalty.weight * model.at(found->x)->conditions).cwiseMax(0.0);
     if (round % 4 == 3) penalty.weight *= 10.0;
     found = minimise(problem, found->x);
   }
   if (!found) return std::nullopt;
-  if (model.n_conditions() == 0) return LocalMinimum{found->x, found->cost, found->converged};
+  if (!asked) return LocalMinimum{found->x, found->cost, found->converged, true};
   // What the penalty adds to the cost is not the data's: it is taken off.
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;
   problem.evaluate(found->x, residuals, jacobian);
   return LocalMinimum{found->x, found->cost - 0.5 * residuals.tail(model.n_conditions()).squaredNorm(),
-                      found->converged && kept};
+                      found->converged, is_kept()};
 }
 
 Starts starting_points(const Model& model) {

@@ -14,6 +14,7 @@ struct LocalMinimum {
   Eigen::VectorXd x;
   double cost;  ///< half the sum of squares, with the loss; without what kept the condition
   bool converged;
+  bool well_posed;  ///< the condition asked for holds
 };
 [[nodiscard]] std::optional<LocalMinimum> descend(const Model& model, const Eigen::VectorXd& start,
                                                   const std::vector<bool>& held);

@@ -22,10 +22,12 @@ inline steady::VariedChannel table_2(bool partial = true) {
 /// Measurements that a channel would give, with normal errors of these standard deviations; no seed: none.
 class Laboratory {
  public:
-  explicit Laboratory(steady::VariedChannel truth, unsigned seed = 0) : truth_(std::move(truth)), engine_(seed), noisy_(seed > 0) {}
+  explicit Laboratory(steady::VariedChannel truth, unsigned seed = 0)
+      : truth_(std::move(truth)), engine_(seed), noisy_(seed > 0) {}
 
   fit::SlopePoint slope(double Q, double error_deg) {
-    return {Q, 0.0, *steady::slope_of_flux(truth_.channel, Q) + noise() * error_deg * degree, error_deg * degree, "slope"};
+    return {Q, 0.0, *steady::slope_of_flux(truth_.channel, Q) + noise() * error_deg * degree, error_deg * degree,
+            "slope"};
   }
   /// Ten speeds down to 4 mm below a surface that was taken too low by `offset` [m].
   fit::SpeedProfile profile(double Q, double error, double offset = 0.0, int points = 10) {
@@ -47,6 +49,8 @@ class Laboratory {
   bool noisy_;
 };
 
-inline fit::Unknown unknown(steady::Parameter p, double start, double low, double high) { return {p, start, low, high, {}}; }
+inline fit::Unknown unknown(steady::Parameter p, double start, double low, double high) {
+  return {p, start, low, high, {}};
+}
 
 }  // namespace talus::support

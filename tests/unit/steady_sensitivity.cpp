@@ -13,8 +13,8 @@ using namespace talus::steady;
 namespace rheology = talus::rheology;
 
 const rheology::Classical base{0.4, 0.9, 1.3};
-const VariedChannel partial{{{2500.0, 0.6, 0.00073}, rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003,
-                             0.3727, 9.81}};
+const VariedChannel partial{
+    {{2500.0, 0.6, 0.00073}, rheology::partially_regularised(base, 1.3, 1.9, 0.05178), 0.003, 0.3727, 9.81}};
 VariedChannel following() {
   VariedChannel out = partial;
   out.channel.law = rheology::partially_regularised(base, 1.3, 1.9);
@@ -79,12 +79,16 @@ TEST_P(EveryLaw, SpeedSensitivityAtTheSurfaceAndBelow) {
 }
 
 TEST_P(EveryLaw, SurfaceSensitivities) {
-  const auto I = [](const Channel& c, double t, double) { return UniformFlow::at_friction(c, t)->inertial_number(0.0); };
+  const auto I = [](const Channel& c, double t, double) {
+    return UniformFlow::at_friction(c, t)->inertial_number(0.0);
+  };
   expect_same(channel(), T(), 0.0, I, surface_inertial_number);
   const auto response = [&](const Channel& c, double t) { return rheology::response(c.law, I(c, t, 0.0)); };
-  expect_same(channel(), T(), 0.0, [&](const Channel& c, double t, double) { return response(c, t).q; }, surface_q);
-  expect_same(channel(), T(), 0.0,
-              [&](const Channel& c, double t, double) { return rheology::condition_C(response(c, t)); }, surface_C);
+  expect_same(
+      channel(), T(), 0.0, [&](const Channel& c, double t, double) { return response(c, t).q; }, surface_q);
+  expect_same(
+      channel(), T(), 0.0, [&](const Channel& c, double t, double) { return rheology::condition_C(response(c, t)); },
+      surface_C);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::Combine(testing::Values(0, 1, 2), testing::Values(0.6, 0.85)));
@@ -103,6 +107,13 @@ TEST(Sensitivity, OfTheSlopeThatCarriesAFlux) {
     };
     EXPECT_NEAR(total.by[i], difference(moved, values[i], 2e-4 * values[i]), 1e-6 / values[i]) << parameter_names[i];
   }
+}
+
+TEST(Sensitivity, NewtonFindsTheFlowFromAnyGuessOrNone) {
+  const double exact = flow_of_flux(partial.channel, 0.0046)->tan_zeta();
+  for (const auto guess : {std::optional<double>(), std::optional(0.2), std::optional(1.1), std::optional(3.0)})
+    EXPECT_NEAR(flow_near(partial, 0.0046, guess)->flow.tan_zeta(), exact, 1e-11);
+  EXPECT_FALSE(flow_near(classical(), 0.006, 0.8));
 }
 
 TEST(Sensitivity, KnowsWhichParametersALawHas) {
