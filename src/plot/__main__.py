@@ -1,4 +1,4 @@
-"""Draws the pictures of a run: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
+"""Draws the pictures of a run, or the page of a fit: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
 
 import argparse
 import os
@@ -39,10 +39,20 @@ def arguments():
     return parser.parse_args()
 
 
+def draw_fit(fit_page, folder):
+    try:
+        print(fit_page.draw(folder)[0])
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return OUTPUT_FAILED
+    return OK
+
+
 def main():
     options = arguments()
     try:
         import column_history, column_profiles, column_regularisations
+        import fit_page
         import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
         from run_data import Missing, Run
     except ImportError as error:
@@ -50,6 +60,8 @@ def main():
             os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
         print(f"{error}: the pictures need python3-xarray, python3-netcdf4 and python3-matplotlib", file=sys.stderr)
         return SETUP_FAILED
+    if (options.run / "fit.nc").exists() and not (options.run / "run.nc").exists():
+        return draw_fit(fit_page, options.run)
     folder = options.out or options.run / "pictures"
     try:
         run = Run(options.run)
