@@ -1,5 +1,6 @@
 """The page of a fit, from fit.nc alone: slopes, profiles, residuals, profile likelihoods and directions."""
 
+import re
 import textwrap
 
 import numpy as np
@@ -36,6 +37,11 @@ def draw(folder):
     return [look.save(figure, folder, "fit.png")]
 
 
+def short(name):
+    """A name without the folders of the files in it."""
+    return re.sub(r"\S*/", "", str(name))
+
+
 def is_slope(data):
     return np.array([str(kind).startswith("slope") for kind in data["data_kind"].values])
 
@@ -66,7 +72,7 @@ def draw_speeds(data, axes, number):
         curve, points = of_curve == place, of_data == place
         axes.plot(data["profile_curve_speed_m_s"][curve], 1e3 * data["profile_curve_depth_m"][curve], color=colour)
         axes.errorbar(data["data_measured"][points], 1e3 * data["data_depth_m"][points], xerr=data["data_error"][points],
-                      fmt="o", color=colour, markersize=4, label=place)
+                      fmt="o", color=colour, markersize=4, label=short(place))
     axes.invert_yaxis()
     axes.set(xlabel="speed [m s$^{-1}$]", ylabel="depth as measured [mm]")
     axes.legend(loc="lower right")
@@ -100,10 +106,10 @@ def draw_likelihoods(data, axes, number):
         best, error = value[name]
         here = names == name
         axes.plot((data["likelihood_at"].values[here] - best) / error, data["likelihood_rise"].values[here], "o-",
-                  color=colour, markersize=3, label=name)
+                  color=colour, markersize=3, label=short(name))
     axes.axhline(1.0, color=look.FAINT, linewidth=0.8)
     axes.set(xlabel="(held value - best)/error", ylabel="rise of $\\chi^2$", ylim=(0.0, 10.0), xlim=(-3.2, 3.2))
-    axes.legend(loc="upper center")
+    axes.legend(loc="upper center", fontsize=8)
     look.label(axes, number, "profile likelihoods")
 
 
@@ -114,7 +120,7 @@ def draw_directions(data, axes, number):
     rank = np.arange(values.size)[::-1]
     axes.barh(rank, np.maximum(values, floor), left=0.0, height=0.25, color=[look.BLUE if s else look.ACCENT for s in seen])
     for y, text, is_seen in zip(rank, data["direction_parts"].values.astype(str), seen):
-        axes.text(floor, y + 0.2, f"{text}" + ("" if is_seen else "   not seen by the data"), va="bottom", fontsize=8.5,
+        axes.text(floor, y + 0.2, short(text) + ("" if is_seen else "   not seen by the data"), va="bottom", fontsize=8.5,
                   color=look.INK if is_seen else look.ACCENT)
     axes.set(xscale="log", xlim=(floor, None), ylim=(-0.5, values.size - 0.2), yticks=[],
              xlabel="singular value (1/standard deviation of a relative change)")
@@ -128,8 +134,8 @@ def draw_table(data, axes, number):
     for name, value, error, unit, note in zip(*(data[f"unknown_{c}"].values for c in ("name", "value", "error", "unit", "note"))):
         unit = "" if str(unit) == "1" else f" {unit}"
         text = f"{value:.5g} $\\pm$ {error:.2g}{unit}" if np.isfinite(error) else f"{value:.3g}{unit}: {str(note).split(',')[0]}"
-        first, *more = textwrap.wrap(text, 62)
-        rows += [(str(name), first), *(("", line) for line in more)]
+        first, *more = textwrap.wrap(text, 54)
+        rows += [(short(name), first), *(("", line) for line in more)]
     if "lump_name" in data:
         for name, value, error, unit, formula in zip(*(data[f"lump_{c}"].values for c in ("name", "value", "error", "unit", "formula"))):
             rows.append((str(name), f"{value:.5g} $\\pm$ {error:.2g}" + ("" if str(unit) == "1" else f" {unit}")))
@@ -137,5 +143,5 @@ def draw_table(data, axes, number):
     step = min(0.11, 0.95 / max(len(rows), 1))
     for i, (name, text) in enumerate(rows):
         axes.text(0.0, 0.93 - i * step, name, transform=axes.transAxes, fontsize=9, color=look.BLUE)
-        axes.text(0.28, 0.93 - i * step, text, transform=axes.transAxes, fontsize=8.5).set_in_layout(False)
+        axes.text(0.36, 0.93 - i * step, text, transform=axes.transAxes, fontsize=8.5).set_in_layout(False)
     look.label(axes, number, "estimates")
