@@ -13,6 +13,8 @@
 #include "app/check.hpp"
 #include "app/collect.hpp"
 #include "app/exit_code.hpp"
+#include "app/fit_command.hpp"
+#include "app/fit_file.hpp"
 #include "app/hstop.hpp"
 #include "app/list.hpp"
 #include "app/plot.hpp"
@@ -37,11 +39,12 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
-/// Of one section of a scene or a sweep file, of the presets, or of all sections.
+/// Of one section of a scene, a sweep file or a fit file, of the presets, or of all sections.
 std::string explanation(const std::string& section) {
   if (section == "presets") return explain_presets();
   const auto& sweeps = sweep::sweep_schema();
-  if (section.empty()) return explain(scene_schema()) + "\n" + explain(sweeps);
+  if (section.empty()) return explain(scene_schema()) + "\n" + explain(sweeps) + "\n" + explain(fit_schema());
+  if (fit_schema().find_section(section) != nullptr) return explain(fit_schema(), section);
   return explain(sweeps.find_section(section) != nullptr ? sweeps : scene_schema(), section);
 }
 
@@ -154,11 +157,13 @@ int act(int argc, const char* const* argv) {
   auto* explain_command = program.add_subcommand("explain", "describe the keys of a scene file");
   explain_command->add_option(
       "section", section,
-      "one section only, for example grid; sweep, axis and sample are a sweep file's; presets tells those of run");
+      "one section only, for example grid; sweep, axis and sample are a sweep file's, fit, unknown, "
+      "slopes and profile a fit file's; presets tells those of run");
   explain_command->callback([&] { print(explanation(section)); });
 
   add_steady_command(program, request.command);
   add_study_command(program, request.command, code);
+  add_fit_command(program, request.command);
 
   program.add_subcommand("list", "models and example scenes")->callback([] { print(list()); });
 
@@ -166,8 +171,8 @@ int act(int argc, const char* const* argv) {
   add_hstop(program);
 
   std::filesystem::path folder;
-  auto* plot_command = program.add_subcommand("plot", "draw the pictures of a run into its folder");
-  plot_command->add_option("folder", folder, "output folder of a run")->required()->type_name("DIR");
+  auto* plot_command = program.add_subcommand("plot", "draw the pictures of a run, or of a fit, into its folder");
+  plot_command->add_option("folder", folder, "output folder of a run or a fit")->required()->type_name("DIR");
   bool movie = false;
   plot_command->add_flag("--movie", movie, "a movie of the whole event, too");
   plot_command->callback([&] { code = plot(folder, movie); });

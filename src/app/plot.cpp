@@ -16,8 +16,9 @@
 namespace talus::app {
 
 int plot(const std::filesystem::path& folder, bool movie) {
-  if (!std::filesystem::exists(folder / "run.nc") && !std::filesystem::exists(folder / "study.nc"))
-    throw core::ConfigError(folder.string() + ": holds no run (no run.nc) and no study (no study.nc)");
+  const auto holds = [&](const char* file) { return std::filesystem::exists(folder / file); };
+  if (!holds("run.nc") && !holds("study.nc") && !holds("fit.nc"))
+    throw core::ConfigError(folder.string() + ": holds no run, study or fit (no run.nc, study.nc or fit.nc)");
   std::string python = "python3", program = std::string(build::sources) + "/plot", where = folder.string(),
               film = "--movie";
   std::array<char*, 5> arguments{python.data(), program.data(), where.data(), movie ? film.data() : nullptr, nullptr};

@@ -31,7 +31,8 @@ std::optional<double> number(const std::string& text) {
 
 std::string range_of(const CsvColumn& column) {
   std::ostringstream out;
-  out << "a number above " << column.above;
+  out << "a number";
+  if (column.above > -1e300) out << (column.or_equal ? " at least " : " above ") << column.above;
   if (column.below < 1e300) out << " and below " << column.below;
   out << " [" << column.unit << "]";
   return out.str();
@@ -87,7 +88,8 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file, con
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const auto& cell = cells[places[i]];
       const auto value = number(cell);
-      if (value && *value > columns[i].above && *value < columns[i].below) values[i].push_back(*value);
+      const bool enough = value && (*value > columns[i].above || (columns[i].or_equal && *value == columns[i].above));
+      if (enough && *value < columns[i].below) values[i].push_back(*value);
       else problems.add(place, columns[i].name, "expected " + range_of(columns[i]) + ", found '" + cell + "'");
     }
   }

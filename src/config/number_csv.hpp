@@ -10,7 +10,8 @@ namespace talus::config {
 /// is refused by its header.
 struct CsvColumn {
   std::string name, unit, doc;
-  double above, below;  ///< numbers lie strictly between
+  double above, below;    ///< numbers lie strictly between
+  bool or_equal = false;  ///< `above` itself is allowed, too
 };
 
 /// Rows of numbers under a header that names exactly these columns, in any order; empty lines and those that start with

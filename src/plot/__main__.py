@@ -1,4 +1,4 @@
-"""Draws the pictures of a run, or the page of a study: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
+"""Draws the pictures of a run, or the page of a study or a fit: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
 
 import argparse
 import os
@@ -50,10 +50,20 @@ def draw_study(options, study_pages):
     return OK
 
 
+def draw_fit(fit_page, folder):
+    try:
+        print(fit_page.draw(folder)[0])
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return OUTPUT_FAILED
+    return OK
+
+
 def main():
     options = arguments()
     try:
         import column_history, column_profiles, column_regularisations
+        import fit_page
         import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
         import study_pages
         from run_data import Missing, Run
@@ -64,6 +74,8 @@ def main():
         return SETUP_FAILED
     if (options.run / "study.nc").exists():
         return draw_study(options, study_pages)
+    if (options.run / "fit.nc").exists() and not (options.run / "run.nc").exists():
+        return draw_fit(fit_page, options.run)
     folder = options.out or options.run / "pictures"
     try:
         run = Run(options.run)

@@ -21,6 +21,7 @@ inline const std::vector<Family>& families() {
        "klu|umfpack|c?colamd|c?amd|btf|cholmod|suitesparseconfig|metis", "integrators/"},
       {"netCDF", R"(netcdf.*)", "PkgConfig::NETCDF", "src/output/"},
       {"Nettle", R"(nettle/.*)", "PkgConfig::NETTLE", "src/output/"},
+      {"Ceres", R"((ceres|glog)/.*)", R"(.*Ceres::.*)", "src/fit/"},
       {"TOML", R"(toml.*)", "tomlplusplus::.*", "src/config/"},
       {"CLI11", R"(CLI/.*)", "CLI11::.*", "src/app/"},
       {"spdlog", R"((spdlog|fmt)/.*)", "spdlog::.*", "src/app/"},

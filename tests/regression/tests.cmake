@@ -7,6 +7,7 @@ talus_test(regression sweep_engines PROGRAM LIBRARIES nlohmann_json::nlohmann_js
 talus_test(regression sweep_snakemake PROGRAM LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(regression cli_steady PROGRAM ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)
 talus_test(regression cli_hstop PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(regression cli_fit PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 add_test(NAME paper COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/paper.py $<TARGET_FILE:talus>)
 set_tests_properties(paper PROPERTIES LABELS regression-slow)
 # Eight members of the sweep of 500.

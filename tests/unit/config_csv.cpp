@@ -63,6 +63,24 @@ TEST_F(Csv, EveryBadCellIsNamedWithItsLine) {
             "data.csv:8: h_stop_m: expected a number above 0 [m], found ''");
 }
 
+TEST(CsvColumns, ARangeMayHoldItsEndOrHaveNone) {
+  const std::vector<config::CsvColumn> others{{"error_m", "m", "error", 0.0, 1e300, true},
+                                              {"x_m", "m", "place", -1e300, 1e300}};
+  const support::TemporaryFolder folder;
+  const auto file = folder / "data.csv";
+  std::ofstream(file) << "error_m,x_m\n0,-3\n";
+  EXPECT_EQ(config::read_csv(file, others), (std::vector<std::vector<double>>{{0.0}, {-3.0}}));
+  std::ofstream(file) << "error_m,x_m\n-1,y\n";
+  try {
+    (void)config::read_csv(file, others);
+    FAIL() << "expected a refusal";
+  } catch (const core::ConfigError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("error_m: expected a number at least 0 [m], found '-1'"), std::string::npos) << text;
+    EXPECT_NE(text.find("x_m: expected a number [m], found 'y'"), std::string::npos) << text;
+  }
+}
+
 TEST_F(Csv, AFileWithoutAHeaderOrNoFileIsRefused) {
   EXPECT_EQ(refusal("# nothing\n"), "data.csv: has no header");
   EXPECT_THROW((void)config::read_csv("no_such_file.csv", columns), core::ConfigError);
