@@ -3,33 +3,17 @@
 #include <cstdio>
 
 #include "app/plot.hpp"
+#include "app/study_members.hpp"
 #include "app/sweep_work.hpp"
 #include "app/trade_report.hpp"
 #include "output/atomic_file.hpp"
-#include "output/provenance.hpp"
-#include "sweep/collection.hpp"
 
 namespace talus::app {
 namespace {
 
-SweepPlan plan_of(const TradeRequest& request, const Scene& scene, const TradeChoices& choices) {
-  const auto dimension = dimension_of(choices, scene);
-  SweepPlan plan{
-      {scene.name + "_trade", "Cost and error of the choices for: " + (scene.title.empty() ? scene.name : scene.title),
-       request.scene_file, settings_beside(dimension, request.overrides), sweep::Design({dimension})},
-      {}};
-  plan.scenes = member_scenes(plan.file, "study trade " + request.scene_file.string());
-  return plan;
-}
-
 void write(const TradeStudy& study, const sweep::Manifest& manifest, const std::filesystem::path& folder,
            const TradeRequest& request) {
-  auto table = sweep::collect(folder, manifest, {}).table;
-  auto provenance = output::provenance_attributes({"", request.command, {}});
-  provenance.erase("scene");  // each choice has its own
-  table.attributes.merge(provenance);
-  table.attributes["study"] = "trade";
-  table.attributes["verdict"] = advice_of(study);
+  auto table = table_of("trade", folder, manifest, request.command, advice_of(study));
   add_to(table, study);
   write_table(folder / "study.nc", table);
   output::write_atomically(folder / "trade.csv", csv_of(study));
@@ -41,7 +25,9 @@ void write(const TradeStudy& study, const sweep::Manifest& manifest, const std::
 int study_trade(const TradeRequest& request) {
   const Scene scene = read_scene(request.scene_file, request.overrides);
   const auto choices = trade_choices(scene);
-  const SweepPlan plan = plan_of(request, scene, choices);
+  const auto dimension = dimension_of(choices, scene);
+  const SweepPlan plan =
+      plan_of({"trade", "Cost and error of the choices for", request.scene_file, request.overrides, dimension}, scene);
   SweepWork work(plan, request.scene_file.string(), request.out.value_or(std::filesystem::path("out") / plan.file.name),
                  request.force);
   const auto code = work.run(request.jobs);
