@@ -18,6 +18,8 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
   for (auto* v : {&dx_, &g_, &step_, &trial_, &trial_dx_, &trial_g_}) v->resize(x.size());
   iterations_ = refreshes_ = 0;
   fresh_ = false;
+  first_ = true;
+  slow_ = 0;
   count_doubt();
   if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
   g_start_ = g_;
@@ -26,15 +28,16 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
 
   double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
   while (true) {
-    const bool close = remaining(expected) * norm_ <= tolerance;
+    const bool close = remaining(expected) * step_norm_ <= tolerance;
     if (close && settled(problem, expected)) return finish(x);
     if (iterations_ >= options_.max_iterations) return close ? finish(x) : Status::diverged;
     status = advance(problem, x, expected);
     // A residual that cannot be brought down further while even new factors want no more than the tolerance is rounding.
     if (status == Status::diverged && close && norm_ <= tolerance) return finish(x);
     if (status != Status::converged) return status;
-    if (remaining(expected) * norm_ <= tolerance) continue;
-    if (expected > options_.refresh_above && refreshes_ < options_.max_refreshes) {
+    if (remaining(expected) * step_norm_ <= tolerance) continue;
+    if (expected > options_.refresh_above) ++slow_;
+    if (slow_ >= options_.slow_moves && refreshes_ < options_.max_refreshes) {
       status = renew(problem, x);
       if (status != Status::converged) return status;
       // New factors contract as the old ones did, or better: `expected` still bounds what follows.
@@ -44,6 +47,7 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
 
 void DampedNewton::forget() {
   contraction_ = unknown;
+  secants_.clear();
   doubt_ = doubt_again_ = options_.doubt;
   shortened_ = false;
 }
@@ -78,26 +82,21 @@ DampedNewton::Status DampedNewton::renew(NewtonProblem& problem, std::span<const
   if (const auto outcome = problem.refresh(x); outcome != Outcome::ok) return failure(outcome);
   fresh_ = true;
   contraction_ = unknown;
+  slow_ = 0;
+  secants_.clear();
   return correct(problem);
 }
 
-/// From dx_ and the one before, `last`, which led to the step lambda step_: the next step. With a correction that
-/// changes in proportion to x along the step, dx - gamma (lambda step + dx - last) leaves the smallest correction
-/// behind.
-void DampedNewton::accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last) {
-  auto& change = trial_;
-  for (std::size_t i = 0; i < dx_.size(); ++i) change[i] = dx_[i] - last[i];
-  const double size = problem.product(change, change);
-  const double gamma = size > 0.0 ? problem.product(change, dx_) / size : 0.0;
-  for (std::size_t i = 0; i < dx_.size(); ++i) step_[i] = dx_[i] - gamma * (lambda * step_[i] + change[i]);
-  accelerated_ = true;
+void DampedNewton::accelerate(const NewtonProblem& problem) {
+  secants_.set_scale(problem.scale());
+  secants_.accelerate([&](auto a, auto b) { return problem.product(a, b); }, dx_, step_);
+  step_norm_ = secants_.empty() ? norm_ : std::sqrt(problem.product(step_, step_));
 }
 
-/// dx_ = -J^-1 g_ and its norm, and the step that follows from it alone.
+/// dx_ = -J^-1 g_ and its norm, and the step that follows.
 DampedNewton::Status DampedNewton::correct(NewtonProblem& problem) {
   const auto status = correct(problem, g_, dx_, norm_);
-  step_ = dx_;
-  accelerated_ = false;
+  if (status == Status::converged) accelerate(problem);
   return status;
 }
 
@@ -108,6 +107,11 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<con
   if (const auto outcome = problem.solve(dx); outcome != Outcome::ok) return failure(outcome);
   norm = std::sqrt(problem.product(dx, dx));
   return std::isfinite(norm) ? Status::converged : Status::diverged;
+}
+
+/// Ratio of corrections up to which a trial is accepted.
+double DampedNewton::most_growth(double lambda) const {
+  return lambda == 1.0 && !fresh_ && refreshes_ < options_.max_refreshes ? options_.growth : 1.0 - 0.25 * lambda;
 }
 
 /// One accepted move x += lambda step_; on return dx_, norm_ and step_ are the next correction and step, g_ the
@@ -124,14 +128,16 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
       double norm = 0.0;
       const auto status = correct(problem, trial_g_, trial_dx_, norm);
       if (status == Status::broken) return status;
-      if (status == Status::converged && norm <= (1.0 - 0.25 * lambda) * norm_) {
+      if (status == Status::converged && norm <= most_growth(lambda) * norm_) {
         contraction = lambda == 1.0 ? norm / norm_ : unknown;
-        if (!accelerated_) contraction_ = contraction;
+        if (first_) contraction_ = contraction;
+        first_ = false;
         std::copy(trial_.begin(), trial_.end(), x.begin());
         std::swap(g_, trial_g_);
         std::swap(dx_, trial_dx_);
         norm_ = norm;
-        accelerate(problem, lambda, trial_dx_);
+        secants_.add(lambda, step_, trial_dx_, dx_);
+        accelerate(problem);
         fresh_ = false;
         return Status::converged;
       }

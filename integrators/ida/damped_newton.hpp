@@ -5,6 +5,7 @@
 
 #include "bridge/equations.hpp"
 #include "ida/options.hpp"
+#include "ida/secants.hpp"
 
 namespace talus::ida {
 
@@ -19,6 +20,8 @@ class NewtonProblem {
   virtual Outcome refresh(std::span<const double> x) = 0;
   /// b <- (approximate Jacobian)^-1 b with the factors at hand.
   virtual Outcome solve(std::span<double> b) = 0;
+  /// Factor that solve() gives its answer besides, the same throughout one solve of the system with one set of factors.
+  [[nodiscard]] virtual double scale() const { return 1.0; }
   /// The weighted inner product of which the norm is the root.
   [[nodiscard]] virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
   /// How much of the residual `g_start` is left in `g`: the largest share over groups of rows in one unit, a group at its
@@ -31,27 +34,27 @@ class NewtonProblem {
   [[nodiscard]] virtual double drift() const = 0;
 };
 
-/// Newton's method with a Jacobian that is kept while it contracts, a secant acceleration, and a natural monotonicity
-/// test.
+/// Newton's method with a Jacobian that is kept while it contracts, accelerated by secants, with a natural monotonicity test.
 ///
-/// With the correction dx = -J^-1 G(x) and what the last one became, dx - dx_last over the step x - x_last, the secant
-/// estimate of the remaining error along that direction makes the step s (Anderson's acceleration of depth one). The
-/// trial x + lambda s is accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is
-/// renewed, then lambda is halved. A contraction above `refresh_above` renews J at the new x. The iteration ends when
-/// contraction/(1 - contraction) times the last correction is below the tolerance.
+/// The correction dx = -J^-1 G(x) becomes a step s by what the moves before showed (Secants): those of earlier solves too, as
+/// long as the factors stay, because what the old J lacks hardly changes from one time step to the next. The trial
+/// x + lambda s is accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is
+/// renewed, then lambda is halved. With a stale J a trial may be somewhat worse (`growth`): it makes a secant, and the next
+/// step is better for it. After `slow_moves` moves in one solve that contracted by no more than `refresh_above`, J is renewed
+/// at the new x. The iteration ends when contraction/(1 - contraction) times the last step is below the tolerance; the
+/// contraction is the ratio of the last two corrections, and at the beginning of a solve that of the solve before.
 ///
 /// In doubt, the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
 /// stiff here and soft beside it (a yielding material) needs that: with factors of the stiff state a large residual makes a
 /// correction far below the tolerance, and what it leaves behind starts the next solve outside the stiff state. In doubt
 /// are the first `doubt` solves, and as many after a step had to be shortened; twice as many each time that this happens in
 /// doubt.
-/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3; H. F. Walker and P. Ni, SIAM J.
-/// Numer. Anal. 49, 2011.)
+/// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2004, sections 2.1.2 and 3.3.)
 class DampedNewton {
  public:
   enum class Status { converged, diverged, refused, broken };
 
-  explicit DampedNewton(const NewtonOptions& options) : options_(options) {}
+  explicit DampedNewton(const NewtonOptions& options) : options_(options), secants_(options.depth) {}
 
   /// Improves x (shape n) until the weighted error is below `tolerance`.
   Status solve(NewtonProblem& problem, std::span<double> x, double tolerance);
@@ -75,21 +78,25 @@ class DampedNewton {
   Status renew(NewtonProblem& problem, std::span<const double> x);
   Status correct(NewtonProblem& problem);
   Status correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx, double& norm);
-  void accelerate(const NewtonProblem& problem, double lambda, std::span<const double> last);
+  void accelerate(const NewtonProblem& problem);
+  [[nodiscard]] double most_growth(double lambda) const;
   Status advance(NewtonProblem& problem, std::span<double> x, double& contraction);
 
   NewtonOptions options_;
-  double contraction_ = unknown;  ///< of the factors at hand, without acceleration
+  double contraction_ = unknown;  ///< by the first move of the last solve that made one, with the factors at hand
   double norm_ = 0.0;             ///< of dx_
+  double step_norm_ = 0.0;        ///< of step_
   int iterations_ = 0, refreshes_ = 0;
-  bool fresh_ = false;        ///< the factors were made at the present x
-  bool accelerated_ = false;  ///< step_ is not dx_
-  bool shortened_ = false;    ///< a step was, in the last solve or this one
+  int slow_ = 0;            ///< moves of this solve that contracted by no more than refresh_above
+  bool fresh_ = false;      ///< the factors were made at the present x
+  bool first_ = true;       ///< no move was made in this solve
+  bool shortened_ = false;  ///< a step was, in the last solve or this one
   int doubt_ = options_.doubt,
       doubt_again_ = options_.doubt;  ///< solves in doubt that are left, and that a doubt brings
   std::vector<double> g_start_;       // residual where the solve began
   std::vector<double> dx_, g_;        // correction and residual at the present x
   std::vector<double> step_;          // dx_, accelerated
+  Secants secants_;
   std::vector<double> trial_, trial_dx_, trial_g_;
 };
 

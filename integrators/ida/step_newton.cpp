@@ -107,9 +107,8 @@ void StepNewton::estimate_rounding() {
 
 Outcome StepNewton::solve(std::span<double> b) {
   const auto outcome = equations_.solve(b);
-  // Factors of another c_j: this scale balances the errors of slow and of stiff components.
-  if (const double ratio = c_j_ / equations_.c_j(); ratio != 1.0) {
-    for (double& v : b) v *= 2.0 / (1.0 + ratio);
+  if (const double factor = scale(); factor != 1.0) {
+    for (double& v : b) v *= factor;
   }
   return outcome;
 }

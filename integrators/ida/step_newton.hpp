@@ -33,6 +33,8 @@ class StepNewton final : private NewtonProblem {
   Outcome residual(std::span<const double> x, std::span<double> g) override;
   Outcome refresh(std::span<const double> x) override;
   Outcome solve(std::span<double> b) override;
+  /// For factors of another c_j: it balances the errors of slow and of stiff components.
+  [[nodiscard]] double scale() const override { return 2.0 / (1.0 + c_j_ / equations_.c_j()); }
   [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const override;
   [[nodiscard]] double drift() const override;
   /// Groups are the fields.

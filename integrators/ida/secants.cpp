@@ -1,0 +1,62 @@
+#include "ida/secants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::ida {
+
+void Secants::add(double lambda, std::span<const double> step, std::span<const double> before,
+                  std::span<const double> after) {
+  if (depth_ == 0) return;
+  if (pairs_.size() < depth_) pairs_.emplace_back();
+  std::rotate(pairs_.begin(), pairs_.end() - 1, pairs_.end());
+  auto& pair = pairs_.front();
+  pair.step.resize(step.size());
+  pair.change.resize(step.size());
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    pair.step[i] = lambda * step[i];
+    pair.change[i] = (after[i] - before[i]) / scale_;
+  }
+}
+
+/// Cholesky's factorisation L L^T of the Gram matrix of the changes, row by row, dependent and small rows left out.
+std::vector<double> Secants::nearest(const Product& product, std::span<const double> dx) const {
+  const std::size_t m = pairs_.size();
+  const double enough = m > 0 ? least_size * product(dx, dx) / (scale_ * scale_) : 0.0;
+  std::vector<double> L(m * m, 0.0), gamma(m, 0.0);
+  std::vector<std::size_t> used;
+  const auto less_newer = [&](double v, std::size_t i, std::size_t j) {
+    for (const std::size_t k : used)
+      if (k < j) v -= L[i * m + k] * L[j * m + k];
+    return v;
+  };
+  for (std::size_t i = 0; i < m; ++i) {
+    const double whole = product(pairs_[i].change, pairs_[i].change);
+    if (whole < enough) continue;
+    for (const std::size_t j : used)
+      L[i * m + j] = less_newer(product(pairs_[i].change, pairs_[j].change), i, j) / L[j * m + j];
+    const double rest = less_newer(whole, i, i);
+    if (!(rest > least_new * whole)) continue;
+    L[i * m + i] = std::sqrt(rest);
+    double v = product(pairs_[i].change, dx) / scale_;
+    for (const std::size_t k : used) v -= L[i * m + k] * gamma[k];
+    gamma[i] = v / L[i * m + i];
+    used.push_back(i);
+  }
+  for (auto i = used.rbegin(); i != used.rend(); ++i) {
+    for (auto k = used.rbegin(); k != i; ++k) gamma[*i] -= L[*k * m + *i] * gamma[*k];
+    gamma[*i] /= L[*i * m + *i];
+  }
+  return gamma;
+}
+
+void Secants::accelerate(const Product& product, std::span<const double> dx, std::span<double> step) const {
+  const auto gamma = nearest(product, dx);
+  std::copy(dx.begin(), dx.end(), step.begin());
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (gamma[k] == 0.0) continue;
+    for (std::size_t i = 0; i < dx.size(); ++i) step[i] -= gamma[k] * (pairs_[k].step[i] + pairs_[k].change[i]);
+  }
+}
+
+}  // namespace talus::ida
