@@ -26,7 +26,7 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
   Status status = problem.drift() > options_.refresh_above ? renew(problem, x) : correct(problem);
   if (status != Status::converged) return status;
 
-  double expected = fresh_ ? unknown : std::max({contraction_, problem.drift(), least});
+  double expected = fresh_ ? unknown : std::max(contraction_, problem.drift());
   while (true) {
     const bool close = remaining(expected) * step_norm_ <= tolerance;
     if (close && settled(problem, expected)) return finish(x);
@@ -37,7 +37,7 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
     if (status != Status::converged) return status;
     if (remaining(expected) * step_norm_ <= tolerance) continue;
     if (expected > options_.refresh_above) ++slow_;
-    if (slow_ >= options_.slow_moves && refreshes_ < options_.max_refreshes) {
+    if (slow_ >= (doubt_ > 0 ? 1 : options_.slow_moves) && refreshes_ < options_.max_refreshes) {
       status = renew(problem, x);
       if (status != Status::converged) return status;
       // New factors contract as the old ones did, or better: `expected` still bounds what follows.
@@ -111,7 +111,8 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<con
 
 /// Ratio of corrections up to which a trial is accepted.
 double DampedNewton::most_growth(double lambda) const {
-  return lambda == 1.0 && !fresh_ && refreshes_ < options_.max_refreshes ? options_.growth : 1.0 - 0.25 * lambda;
+  const bool may_grow = lambda == 1.0 && doubt_ == 0 && !fresh_ && refreshes_ < options_.max_refreshes;
+  return may_grow ? options_.growth : 1.0 - 0.25 * lambda;
 }
 
 /// One accepted move x += lambda step_; on return dx_, norm_ and step_ are the next correction and step, g_ the
@@ -129,7 +130,7 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
       const auto status = correct(problem, trial_g_, trial_dx_, norm);
       if (status == Status::broken) return status;
       if (status == Status::converged && norm <= most_growth(lambda) * norm_) {
-        contraction = lambda == 1.0 ? norm / norm_ : unknown;
+        contraction = lambda == 1.0 ? std::max(norm / norm_, least) : unknown;
         if (first_) contraction_ = contraction;
         first_ = false;
         std::copy(trial_.begin(), trial_.end(), x.begin());

@@ -44,7 +44,7 @@ class NewtonProblem {
 /// at the new x. The iteration ends when contraction/(1 - contraction) times the last step is below the tolerance; the
 /// contraction is the ratio of the last two corrections, and at the beginning of a solve that of the solve before.
 ///
-/// In doubt, the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
+/// In doubt, no trial may be worse, one slow move renews J, and the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
 /// stiff here and soft beside it (a yielding material) needs that: with factors of the stiff state a large residual makes a
 /// correction far below the tolerance, and what it leaves behind starts the next solve outside the stiff state. In doubt
 /// are the first `doubt` solves, and as many after a step had to be shortened; twice as many each time that this happens in
@@ -69,7 +69,7 @@ class DampedNewton {
  private:
   /// Assumed before a contraction is measured: the error is 20 times the correction.
   static constexpr double unknown = 20.0 / 21.0;
-  /// A contraction measured in an earlier solve is not trusted below this.
+  /// No contraction is trusted below this: the next move may be accelerated less well than the last.
   static constexpr double least = 0.1;
 
   [[nodiscard]] bool settled(const NewtonProblem& problem, double contraction) const;

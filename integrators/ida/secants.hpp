@@ -31,7 +31,7 @@ class Secants {
   /// Squared part of a change, outside the span of newer ones, below which it counts as dependent.
   static constexpr double least_new = 1e-2;
   /// Squared size of a change, as a share of that of dx, below which it is too small.
-  static constexpr double least_size = 1e-4;
+  static constexpr double least_size = 1e-2;
 
   struct Pair {
     std::vector<double> step, change;
