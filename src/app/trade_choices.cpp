@@ -34,6 +34,7 @@ class Builder {
     words("linear solver", "integrator.linear_solver", words::of(words::linear_solvers));
     words("newton", "integrator.newton", words::of(words::newtons));
     words("rung", "model.name", model_names());
+    directions();
     return std::move(out_);
   }
 
@@ -60,6 +61,15 @@ class Builder {
       const auto settings = grid_of(ratio);
       if (!settings.empty()) add({"grid", grid_words(settings), settings, ratio});
     }
+  }
+
+  /// Half the cells in one direction alone.
+  void directions() {
+    if (!has_columns()) return;
+    const auto half = grid_of(0.5);
+    for (const auto& [key, words] : {std::pair{"grid.columns", "half along"}, std::pair{"grid.layers", "half across"}})
+      if (const auto found = half.find(key); found != half.end())
+        add({"cells", words, {{found->first, found->second}}, 0.0});
   }
 
   static std::string grid_words(const Settings& settings) {

@@ -17,7 +17,7 @@ TEST(Presets, DivideTheCellsOfTheScene) {
              fine = with("heap_q46", "fine");
   EXPECT_EQ(draft.cells.columns, own.cells.columns / 5);
   EXPECT_EQ(draft.cells.layers, own.cells.layers / 4);
-  EXPECT_DOUBLE_EQ(draft.integration.rtol, 10.0 * own.integration.rtol);
+  EXPECT_DOUBLE_EQ(draft.integration.rtol, 3.0 * own.integration.rtol);
   EXPECT_EQ(standard.cells.columns, own.cells.columns / 2);
   EXPECT_EQ(standard.integration.rtol, own.integration.rtol);
   EXPECT_EQ(fine.effective, own.effective);
