@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace talus::linear {
 
@@ -40,12 +41,20 @@ CondensedSolver::CondensedSolver(const SparsePattern& matrix, std::size_t least_
     links_.back().before = below;
     links_[link_of[before[j]]].after = below;
   }
+  std::vector<std::vector<Entry>> row(links_.size()), column(links_.size());
   for (Index j = 0; j < n; ++j)
     for (Index k = starts[j]; k < starts[j + 1]; ++k) {
       const Index i = rows[k];
-      if (is_link[i] && !is_link[j]) links_[link_of[i]].row.push_back(entry(number_[j], k));
-      if (!is_link[i] && is_link[j]) links_[link_of[j]].column.push_back(entry(number_[i], k));
+      if (is_link[i] && !is_link[j]) row[link_of[i]].push_back(entry(number_[j], k));
+      if (!is_link[i] && is_link[j]) column[link_of[j]].push_back(entry(number_[i], k));
     }
+  for (const auto& entries : row) row_entries_.insert(row_entries_.end(), entries.begin(), entries.end());
+  for (const auto& entries : column) column_entries_.insert(column_entries_.end(), entries.begin(), entries.end());
+  const Entry *next_row = row_entries_.data(), *next_column = column_entries_.data();
+  for (std::size_t l = 0; l < links_.size(); ++l) {
+    links_[l].row = {std::exchange(next_row, next_row + row[l].size()), row[l].size()};
+    links_[l].column = {std::exchange(next_column, next_column + column[l].size()), column[l].size()};
+  }
 
   // The band after condensation: direct entries, and those through the chains.
   for_each_kept_entry([&](Index i, Index j) { width_ = std::max(width_, std::abs(i - j)); });
@@ -95,13 +104,21 @@ void CondensedSolver::factor_anew() {
   record(n_kept() * (3 * width() + 1), flops_bound());
 }
 
+void CondensedSolver::gather() {
+  row_values_.clear();
+  for (const Entry& e : row_entries_) row_values_.push_back(values()[e.position]);
+  column_values_.clear();
+  for (const Entry& e : column_entries_) column_values_.push_back(values()[e.position] * row_scale()[kept_[e.number]]);
+  pivots_.clear();
+  for (const Link& link : links_)
+    pivots_.push_back({values()[link.diagonal], link.before >= 0 ? values()[link.before] : 0.0});
+}
+
 template <class Real>
 void CondensedSolver::condense(TwoEndedBand<Real>& band) {
   band.clear();
   for (const Direct& entry : direct_) band.add(entry.slot, values()[entry.position] * row_scale()[entry.row]);
-  column_values_.clear();
-  for (const Link& link : links_)
-    for (const Entry& e : link.column) column_values_.push_back(values()[e.position] * row_scale()[kept_[e.number]]);
+  gather();
 
   // Chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
   std::vector<Real> seen(kept_.size(), Real(0));
@@ -136,10 +153,10 @@ void CondensedSolver::substitute(std::span<double> b) {
   for (std::size_t k = 0; k < kept_.size(); ++k) scratch_[k] = b[kept_[k]] * row_scale()[kept_[k]];
   double below = 0.0;
   auto of_entry = column_values_.begin();
+  auto pivot = pivots_.begin();
   for (const Link& link : links_) {  // y = E^-1 b, then b - C y
-    double value = b[link.unknown];
-    if (link.before >= 0) value -= values()[link.before] * below;
-    below = value / values()[link.diagonal];
+    below = (b[link.unknown] - pivot->before * below) / pivot->diagonal;
+    ++pivot;
     for (const Entry& e : link.column) scratch_[e.number] -= *of_entry++ * below;
   }
   if (in_single_) {
@@ -150,11 +167,13 @@ void CondensedSolver::substitute(std::span<double> b) {
     double_.solve(scratch_);
   }
   below = 0.0;
+  of_entry = row_values_.begin();
+  pivot = pivots_.begin();
   for (const Link& link : links_) {  // E^-1 (b - B x)
-    double value = b[link.unknown];
-    if (link.before >= 0) value -= values()[link.before] * below;
-    for (const Entry& e : link.row) value -= values()[e.position] * scratch_[e.number];
-    below = value / values()[link.diagonal];
+    double value = b[link.unknown] - pivot->before * below;
+    for (const Entry& e : link.row) value -= *of_entry++ * scratch_[e.number];
+    below = value / pivot->diagonal;
+    ++pivot;
     b[link.unknown] = below;
   }
   for (std::size_t k = 0; k < kept_.size(); ++k) b[kept_[k]] = scratch_[k];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "linear/checked_solver.hpp"
@@ -50,18 +51,23 @@ class CondensedSolver final : public CheckedSolver {
     return {static_cast<std::int32_t>(number), static_cast<std::int32_t>(position)};
   }
   struct Link {
-    Index unknown;              ///< row and column in the matrix
-    Index diagonal;             ///< position of its diagonal entry
-    Index before = -1;          ///< position of the entry in the column of the link before, -1 at the foot of a chain
-    Index after = -1;           ///< position of the entry of the next link's row in this column
-    std::vector<Entry> row;     ///< kept columns of its row
-    std::vector<Entry> column;  ///< kept rows of its column
+    Index unknown;               ///< row and column in the matrix
+    Index diagonal;              ///< position of its diagonal entry
+    Index before = -1;           ///< position of the entry in the column of the link before, -1 at the foot of a chain
+    Index after = -1;            ///< position of the entry of the next link's row in this column
+    std::span<const Entry> row;  ///< kept columns of its row
+    std::span<const Entry> column;  ///< kept rows of its column
   };
 
   /// An entry that both matrices have, and where the band keeps it.
   struct Direct {
     Index position, row, slot;
   };
+  /// Of a link's row, with the values at hand.
+  struct Pivot {
+    double diagonal, before;  ///< before: 0 at the foot of a chain
+  };
+  void gather();
   /// S = D - C E^-1 B of [E B; C D], E the chains, into `band`.
   template <class Real>
   void condense(TwoEndedBand<Real>& band);
@@ -69,10 +75,14 @@ class CondensedSolver final : public CheckedSolver {
   template <class Visit>
   void for_each_kept_entry(const Visit& visit) const;
 
-  std::vector<Link> links_;            ///< chain after chain, each from its foot up
-  std::vector<Index> kept_;            ///< unknown of each kept number
-  std::vector<Index> number_;          ///< kept number of each unknown, -1 for links
-  std::vector<double> column_values_;  ///< of the links' columns, link after link, rows scaled
+  std::vector<Link> links_;    ///< chain after chain, each from its foot up
+  std::vector<Index> kept_;    ///< unknown of each kept number
+  std::vector<Index> number_;  ///< kept number of each unknown, -1 for links
+  // In the order in which a solve goes through them: it is bound by memory.
+  std::vector<Entry> row_entries_, column_entries_;  ///< the links', link after link
+  std::vector<double> row_values_;                   ///< of those
+  std::vector<double> column_values_;                ///< of those, rows scaled
+  std::vector<Pivot> pivots_;                        ///< the links'
   std::size_t least_for_single_;
   Index width_ = 0;
   bool in_single_ = false;  ///< the precision of the factors at hand
