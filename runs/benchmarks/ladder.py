@@ -133,7 +133,7 @@ def main():
     masses = [(*key, cpu, 100 * abs(mass / reference - 1)) for key, (cpu, _, mass) in found.items() if key != ("layer", REFERENCE)]
     draw(right, masses, f"stored mass at 150 s, off layer {REFERENCE}", "%")
     right.axhline(100 * abs(PAPER_MASS / reference - 1), color="tab:red", linewidth=1)
-    right.annotate("measured in the paper", (1.0, 100 * abs(PAPER_MASS / reference - 1)), fontsize=7, color="tab:red", va="bottom")
+    right.annotate("the paper, figure 12 read as kg", (1.0, 100 * abs(PAPER_MASS / reference - 1)), fontsize=7, color="tab:red", va="bottom")
     left.legend(frameon=False, loc="lower center")
     figure.suptitle("Heap of 4.6 g/s by every rung. Peer: CPU time extrapolated from some seconds; its slope and mass on these grids are not known")
     figure.savefig(choice.picture, dpi=130)

@@ -110,6 +110,32 @@ TEST(DampedNewton, TheSecantMakesUpForAWrongSlope) {
   EXPECT_EQ(problem.n_refreshes, 0);
 }
 
+TEST(DampedNewton, SecantsOfASolveServeTheNextWhileTheFactorsStay) {
+  // Two slopes, wrong by factors of 2 and 1.25: two secants find both, and the next solve knows them from its first step.
+  Scalars problem([](double x) { return x - 1.0; }, [](double) { return 1.0; });
+  problem.factors = {2.0, 1.25};
+  problem.expected_drift = 0.0;
+  const auto iterations = [&](DampedNewton& newton) {
+    std::vector<double> x = {5.0, -3.0};
+    EXPECT_EQ(newton.solve(problem, x, 1e-12), Status::converged);
+    EXPECT_NEAR(x[0], 1.0, 1e-12);
+    EXPECT_NEAR(x[1], 1.0, 1e-12);
+    return newton.iterations();
+  };
+  ida::NewtonOptions options;
+  options.doubt = 0;
+  DampedNewton newton(options);
+  const int first = iterations(newton);
+  EXPECT_LE(first, 4);
+  EXPECT_LT(iterations(newton), first);
+  newton.forget();
+  EXPECT_EQ(iterations(newton), first);
+  options.depth = 0;
+  DampedNewton plain(options);
+  EXPECT_GT(iterations(plain), 20);
+  EXPECT_EQ(problem.n_refreshes, 0);
+}
+
 /// Stiff within 0.01 of the root at 0.0055, soft outside; factors of the stiff state at hand, the start in the soft one.
 Scalars yielding() {
   Scalars problem([](double x) { return std::tanh(100.0 * x) + 0.05 * x - 0.5; },
