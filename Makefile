@@ -17,8 +17,8 @@ export OPENBLAS_NUM_THREADS := 1
 
 BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libspectra-dev libnetcdf-dev nettle-dev \
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libceres-dev libgtest-dev libbenchmark-dev
-PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib ffmpeg
-TEST_PACKAGES := parallel shellcheck
+PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib python3-pil ffmpeg
+TEST_PACKAGES := parallel shellcheck chromium chromium-driver python3-selenium
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 # Not Debian's default clang 14, which cannot read the ranges of g++ 12's library.

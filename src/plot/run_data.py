@@ -164,6 +164,11 @@ class Run:
         """Columns that hold no more than the film on the base: their velocity means nothing."""
         return height <= 2.0 * self.film
 
+    def grains_only(self, field, k):
+        """A field of output k, masked where it is not finite and, of grains and air, where air is more than half."""
+        masked = np.ma.masked_invalid(field)
+        return np.ma.masked_where(self.field("phi", k) < 0.5, masked) if self.has("phi") else masked
+
     def extent(self, outputs, margin=0.04):
         """Axis limits (X0, X1, Z0, Z1) around base and surfaces of these outputs."""
         lines = [self.surface(self.field("height", k)) for k in outputs] + [self.base()]
