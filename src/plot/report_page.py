@@ -45,7 +45,7 @@ def lead(run):
 def grid_words(run):
     sizes = run.data.sizes
     if "column" in sizes and "layer" in sizes:
-        return f"{sizes['column']} columns of {sizes['layer']} layers"
+        return f"{sizes['column']} column{'' if sizes['column'] == 1 else 's'} of {sizes['layer']} layers"
     return f"{sizes['layer']} layers" if "layer" in sizes else "one number in time"
 
 
@@ -123,13 +123,18 @@ def animation_of(run, progress):
     between = "" if run.is_column else " Between two outputs mesh and values are interpolated."
     return page.player(encoded, [f"t = {look.seconds(t)}" for t in times], ".webp",
                        f"Drag the slider, or press play; with the slider in focus the arrow keys step.{between}",
-                       first=int(np.argmin(np.abs(times - run.times[run.steady_output]))))
+                       first=int(np.argmin(np.abs(times - cover_time(run)))))
 
 
 def frame_times(run):
     """Evenly from the first output to the last; no more than one for each output of a short run, four for one of few."""
     n = min(MOST_FRAMES, max(4 * (run.times.size - 1) + 1, 2)) if run.duration > 0.0 else 1
     return np.linspace(run.times[0], run.times[-1], n)
+
+
+def cover_time(run):
+    """When there is most to see: a uniform layer at its fastest, a heap at its steepest."""
+    return run.series_times[int(np.argmax(run.series("surface_speed")))] if run.is_column else run.times[run.steady_output]
 
 
 def frames_of(run, times):

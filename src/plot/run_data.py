@@ -1,6 +1,7 @@
 """A run's output, read record by record: names, times, and the way from the box to gravity's coordinates."""
 
 import os
+import tomllib
 from functools import cached_property
 from pathlib import Path
 
@@ -46,6 +47,16 @@ class Run:
 
     def attribute(self, name, default=None):
         return self.data.attrs.get(name, default)
+
+    @cached_property
+    def scene(self):
+        """The effective scene, its sections as dictionaries."""
+        return tomllib.loads(str(self.attribute("scene", "")))
+
+    def stated(self, section, key):
+        if key not in self.scene.get(section, {}):
+            raise Missing(f"the scene in run.nc has no {section}.{key}")
+        return self.scene[section][key]
 
     @property
     def name(self):

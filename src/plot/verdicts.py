@@ -71,7 +71,7 @@ def balance(run, summary):
     answer = f"{name} kept to {worst:.1e}" if worst > 0.0 else f"{name} kept to the last bit"
     more = f"Largest of {rest}."
     if run.has("phi_min"):
-        more += f" Grains between {run.series('phi_min').min():.2g} below and {run.series('phi_max').max() - 1.0:.2g} above the range 0 to 1 of phi."
+        more += f" phi stayed between {run.series('phi_min').min():.3g} and 1 {run.series('phi_max').max() - 1.0:+.1e}."
     return judge(worst, BALANCE), answer, more
 
 
@@ -80,6 +80,8 @@ def well_posedness(run, summary):
         most = float(np.nanmax(run.series("class_ill_posed_area")))
         sentence = str(summary.get("well_posedness_verdict") or "").partition(": ")[2]
         sentence = sentence[:1].upper() + sentence[1:] + "." if sentence else "The summary holds no sentence on it."
+    elif not run.has("growing_share"):
+        raise Missing("the model does not say where it is well-posed")
     else:
         most = float(np.nanmax(run.series("growing_share")))
         sentence = f"C of (3.18) was positive in at most {percent(np.nanmax(run.series('ill_posed_share')))} of the flowing area."
@@ -123,11 +125,12 @@ def steadiness(run, summary):
         if run.has("heap_angle"):
             words += f"; the slope changed by {run.series('heap_angle')[last] - run.series('heap_angle')[begin]:+.2f}° in that time"
         return judge(abs(ratio - 1.0), STEADY), f"{100.0 * ratio:.1f} % flows out again", words + "."
-    name = "mass_flow" if run.has("mass_flow") else "mass_stored"
-    values = run.series(name)
-    largest = np.nanmax(np.abs(values))
-    change = (values[last] - values[begin]) / largest if largest > 0.0 else 0.0
-    return judge(abs(change), STEADY), f"changes by {100.0 * change:+.2g} %", f"Of its largest value: {name.replace('_', ' ')}, {when}."
+    if not run.has("mass_flow"):
+        raise Missing("nothing is poured, and the model tells no mass flow")
+    flow = run.series("mass_flow")
+    largest = np.nanmax(np.abs(flow))
+    change = (flow[last] - flow[begin]) / largest if largest > 0.0 else 0.0
+    return judge(abs(change), STEADY), f"mass flow changes by {100.0 * change:+.2g} %", f"Of its largest value, {when}."
 
 
 def slope(run, summary):
