@@ -43,7 +43,7 @@ run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for
 	@echo "Results: $(OUT)/run.nc, summary in $(OUT)/summary.json. Pictures and movie:"
 	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
 
-paper: configure ## the paper's figures 8, 9, 10, 20, 21 and table 2, and its printed numbers beside ours, into out/paper
+paper: configure ## every computed figure and printed number of the paper beside ours, as one page: out/paper/index.html; goes on where it was stopped
 	@cmake --build $(RELEASE) -j $(JOBS) --target talus
 	@$(PYTHON) runs/paper/reproduce.py --talus $(RELEASE)/talus --out out/paper
 

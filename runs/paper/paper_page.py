@@ -40,7 +40,7 @@ def write(parts, program, path):
     rows = [row for part in parts for row in part.rows]
     numbers = f"<p>{len(rows)} rows, in the order of the figures.</p>" + comparison(rows) + "<h3>Printed, and not compared</h3>" + page.table(
         ["where", "numbers", "why"], [[text(cell) for cell in row] for row in NOT_COMPARED])
-    sections.append(("numbers", "All printed numbers", numbers))
+    sections.append(("all_printed_numbers", "All printed numbers", numbers))
     sections.append(("provenance", "Provenance", page.folded("talus --version", program) + page.facts(
         [[text(part.name), f"{part.seconds:.1f} s"] for part in parts])))
     path.write_text(page.document(TITLE, f"<h1>{text(TITLE)}</h1><p>{text(LEAD)}</p>", sections), encoding="utf-8")
