@@ -52,7 +52,7 @@ def rows(heap):
     toe_at = toe_arrives(run)
     result = [
         Row(f"section 6.2, figure 15, {model}", "first grains on the balance", "about 1 s, experiment", f"{arrives:.1f} s", f"{arrives - 1.0:+.1f} s",
-            "no slip on the base holds the first film back; in the experiment grains slide and bounce"),
+            "grains stick to the base; the paper names slip as what its computation lacks, too (runs/studies, basal slip)"),
         Row(f"section 6.1, {model}", "break in slope at the toe reaches the outlet", "about 18 s", f"{toe_at:.0f} s; at 18 s {1e3 * (run.x_face[-1] - toe(run, heights_at(run, 18.0))):.0f} mm short of it", f"{toe_at - 18.0:+.0f} s",
             "the toe is where the straight face, continued, meets the base; a layer of 4 mm already runs ahead of it"),
         Row(f"sections 6.1, 6.2, {model}", "steady from 106 s on: outflow over inflow at 106 s", "essentially steady", f"{100.0 * heap.number('outflow_rate_right', 106.0) / RATE:.1f} %",

@@ -185,10 +185,10 @@ def cpu_table(run):
              (("residual", "residuals"), ("jacobian", "Jacobians"), ("factor", "factorisations"), ("solve", "solves"))]
     stop = run.inflow_stop
     if stop is None:
-        return ["work", "whole run"], [[words, f"{seconds[-1]:.2f}"] for words, seconds in works]
+        return ["work", "whole run"], [[words, f"{seconds[-1]:.3g}"] for words, seconds in works]
     i = int(np.argmin(np.abs(run.series_times - stop)))
     steps = run.series("n_steps")
-    rows = [[words, f"{seconds[i]:.2f}", f"{seconds[-1] - seconds[i]:.2f}", f"{seconds[-1]:.2f}"] for words, seconds in works]
+    rows = [[words, f"{seconds[i]:.3g}", f"{seconds[-1] - seconds[i]:.3g}", f"{seconds[-1]:.3g}"] for words, seconds in works]
     return (["work", f"pouring, to {look.seconds(stop)}", "draining", "whole run"],
             rows + [["steps", f"{steps[i]:.0f}", f"{steps[-1] - steps[i]:.0f}", f"{steps[-1]:.0f}"]])
 

@@ -12,6 +12,7 @@ constexpr double slope = 45.0, thickness = 0.002;
 column::Parameters on_base(double mu_b, int layers = 40) {
   auto par = tests::table_2(slope, thickness, layers);
   par.wall.u_c = 1e-5;
+  par.regularisation = {.eta_max = 1e4, .cap = rheology::Cap::smooth};  // a plug is rigid without a cap
   par.box.base_friction = mu_b;
   return par;
 }
