@@ -154,7 +154,9 @@ struct CornerStress : Kernel, CornerSlots {
     if (k == 0 && par.box.base_friction) {
       const S stuck = shear_along(Traction<S>{T_x, T_z}, slope) / width(f);
       const S limit = *par.box.base_friction * rheology::positive_pressure(p, par.regularisation.p_0);
-      const S less = width(f) * (rheology::limited_shear(stuck, limit) - stuck);
+      // The immobile film would slide for ever: its grains never leave.
+      const S less =
+          (0.5 * width(f)) * (g.mobility(1) + g.mobility(2)) * (rheology::limited_shear(stuck, limit) - stuck);
       T_x += less;
       T_z += slope * less;
     }
