@@ -6,13 +6,13 @@
 
 namespace talus::rheology {
 
-/// Shear stress [Pa] that a base of limited friction passes on: tau, that of grains which stick to it, as long as it is small against
-/// `limit` = mu_b p > 0, and never more than that: tau/(1 + (tau/limit)^4)^(1/4). The grains slide by what is missing.
+/// Shear stress [Pa] that a base of limited friction passes on: tau, that of grains which stick to it, as long as its share of what the
+/// base can hold, `share` = tau/(mu_b p), is small; and never more than that: tau/(1 + share^4)^(1/4). The grains slide by what is missing.
 template <class S>
-S limited_shear(const S& tau, const S& limit) {
+S limited_shear(const S& tau, const S& share) {
   using std::sqrt;
   using core::sqrt;
-  const S share = tau / limit, squared = share * share;
+  const S squared = share * share;
   return tau / sqrt(S(sqrt(S(1.0 + squared * squared))));
 }
 

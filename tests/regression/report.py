@@ -18,12 +18,12 @@ from selenium.webdriver.common.keys import Keys
 
 PROGRAM = sys.argv.pop()
 EXAMPLES = ROOT / "runs" / "examples"
-SMALL = ("time.end=8", "output.times=[2,4,8]", "output.interval=1", "output.series_interval=0.5")
+SMALL = ("time.end=8", "output.times=[2,4,8]", "output.interval=2", "output.series_interval=0.5")
 RUNS = {"layer": (EXAMPLES / "heap_q46.toml", ("grid.columns=40", "grid.layers=8", *SMALL)),
         "triangle": (EXAMPLES / "heap_q46.toml", ("model.name=triangle", *SMALL)),
-        "column": (EXAMPLES / "column_start.toml", ("grid.layers=30",)),
+        "column": (EXAMPLES / "column_start.toml", ("grid.layers=30", "output.times=[0.2,1,3,6]")),
         "two_fluid": (ROOT / "runs" / "benchmarks" / "two_fluid_heap.toml",
-                      ("grid.columns=30", "grid.layers=15", "time.end=3", "output.times=[1,2,3]", "output.interval=1"))}
+                      ("grid.columns=30", "grid.layers=15", "time.end=2", "output.times=[1,2]", "output.interval=1"))}
 LARGEST_PAGE = 15e6  # bytes
 PICTURES = {"layer": 8, "triangle": 3, "column": 5, "two_fluid": 7}  # at least, the frame of the animation left aside
 SECTIONS = ["scene", "verdicts", "animation", "figures", "statistics", "provenance"]

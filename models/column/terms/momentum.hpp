@@ -69,7 +69,8 @@ S base_stress(const Context& c, const S& shear_rate) {
   const S stuck = shear_viscosity(c, shear_rate, p) * shear_rate;
   const auto& mu_b = c.parameters->box.base_friction;
   if (!mu_b) return stuck;
-  return rheology::limited_shear(stuck, S(*mu_b * rheology::positive_pressure(p, c.parameters->regularisation.p_0)));
+  const double limit = *mu_b * rheology::positive_pressure(p, c.parameters->regularisation.p_0);
+  return rheology::limited_shear(stuck, S(stuck / limit));
 }
 
 /// Shear stress eta du/dz on interface k, upon which layer k pulls layer k - 1 along; on the base, k = 0, the speed below

@@ -154,9 +154,9 @@ struct CornerStress : Kernel, CornerSlots {
     if (k == 0 && par.box.base_friction) {
       const S stuck = shear_along(Traction<S>{T_x, T_z}, slope) / width(f);
       const S limit = *par.box.base_friction * rheology::positive_pressure(p, par.regularisation.p_0);
-      // The immobile film would slide for ever: its grains never leave.
-      const S less =
-          (0.5 * width(f)) * (g.mobility(1) + g.mobility(2)) * (rheology::limited_shear(stuck, limit) - stuck);
+      // A base holds the immobile film, whose grains never leave, whatever its friction: sliding it would gain speed for ever.
+      const S mobile = 0.5 * (g.mobility(1) + g.mobility(2));
+      const S less = width(f) * (rheology::limited_shear(stuck, S(mobile * stuck / limit)) - stuck);
       T_x += less;
       T_z += slope * less;
     }
