@@ -2,7 +2,7 @@
 
     /usr/bin/python3 runs/studies/basal_slip.py [--talus build/release/talus] [--out out/basal_slip]
 
-Runs what is missing of ten heaps, prints a table and draws basal_slip.png. The experiment's masses are figure 12's areas at figure 3's
+Runs what is missing of twelve heaps, prints a table and draws basal_slip.png. The experiment's masses are figure 12's areas at figure 3's
 times; 346 s is left out, whose print cannot hold (runs/paper)."""
 
 import argparse
@@ -24,8 +24,8 @@ from talus import DEFAULT_PROGRAM, Talus
 COARSE, STANDARD = (60, 16), (150, 16)
 SLOW, FAST = 5e-4, 5e-3  # u_c [m/s]
 # Grid, mu_b (None: grains stick), u_c.
-HEAPS = [*((COARSE, mu_b, SLOW) for mu_b in (None, 0.5, 0.4, 0.35, 0.3, 0.2)), (COARSE, None, FAST), (COARSE, 0.3, FAST),
-         (STANDARD, None, SLOW), (STANDARD, 0.3, SLOW)]
+HEAPS = [*((COARSE, mu_b, SLOW) for mu_b in (None, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)), (COARSE, None, FAST), (COARSE, 0.3, FAST),
+         (STANDARD, None, SLOW), (STANDARD, 0.3, SLOW), (STANDARD, 0.25, SLOW)]
 POINTS = [(t, m) for t, m in zip(EXPERIMENT_TIMES, EXPERIMENT_MASSES) if t != MISPRINTED]
 
 
