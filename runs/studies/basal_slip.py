@@ -75,7 +75,7 @@ def draw(heaps, folder):
     panels[1].plot(89.0, 0.0, "x", color=look.ACCENT, markersize=9, clip_on=False, zorder=5)
     panels[0].set(xlabel="time [s]", ylabel="mass in the box [kg]", xlim=(0.0, 100.0), ylim=(0.0, 0.2))
     panels[1].set(xlabel="time since the inflow ended [s]", xlim=(0.0, 170.0), ylim=(0.0, 0.2))
-    panels[0].legend(fontsize=8, loc="lower right")
+    panels[1].legend(*panels[0].get_legend_handles_labels(), fontsize=8, loc="upper right")
     look.label(panels[0], 0, "growth")
     look.label(panels[1], 1, "drain (x: all out)")
     return look.save(figure, folder, "basal_slip.png")
