@@ -16,6 +16,7 @@ from talus import ROOT
 EXAMPLES = ROOT / "runs" / "examples"
 INFLOWS = {"heap_q20": 0.0020, "heap_q46": 0.0046, "heap_q60": 0.0060}  # kg/s
 STOP = 150.0                                                           # s, of the inflow of 0.0046 kg/s
+BASE_FRICTION = 0.25
 RESTARTABLE = 75
 
 
@@ -49,6 +50,12 @@ class Heap:
 def layer(talus, scene):
     """The heap of an example scene by the layer, at the preset that `talus` carries."""
     return Heap(kept(talus, EXAMPLES / f"{scene}.toml", f"{scene}_{talus.preset}", ["--preset", talus.preset]), "layer")
+
+
+def sliding(talus):
+    """The heap of 0.0046 kg/s on a base of the friction that brings it closest to the experiment (runs/studies, basal slip)."""
+    options = ["--preset", talus.preset, "--set", f"box.base_friction={BASE_FRICTION}"]
+    return Heap(kept(talus, EXAMPLES / "heap_q46.toml", f"heap_q46_sliding_{talus.preset}", options), f"layer sliding, {BASE_FRICTION}")
 
 
 def jet(talus):

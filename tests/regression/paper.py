@@ -71,7 +71,7 @@ class Paper(unittest.TestCase):
 
     def test_runs_are_kept(self):
         runs = {path: path.stat().st_mtime_ns for path in self.out.glob("runs/heap*/run.nc")}
-        self.assertEqual(len(runs), 4)
+        self.assertEqual(len(runs), 5)
         again = subprocess.run([sys.executable, FOLDER / "figure_16.py", *map(str, self.command[2:])], capture_output=True, text=True, check=False)
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertNotIn("running", again.stderr)
