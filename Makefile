@@ -17,8 +17,8 @@ export OPENBLAS_NUM_THREADS := 1
 
 BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libspectra-dev libnetcdf-dev nettle-dev \
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libceres-dev libgtest-dev libbenchmark-dev
-PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib ffmpeg
-TEST_PACKAGES := parallel shellcheck
+PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib python3-pil ffmpeg
+TEST_PACKAGES := parallel shellcheck chromium chromium-driver python3-selenium
 SLOW_PACKAGES := snakemake
 CHECK_PACKAGES := git clang-format clang-tidy-16
 # Not Debian's default clang 14, which cannot read the ranges of g++ 12's library.
@@ -43,7 +43,7 @@ run: configure ## grow the heap and let it drain; SCENE=file.toml OUT=folder for
 	@echo "Results: $(OUT)/run.nc, summary in $(OUT)/summary.json. Pictures and movie:"
 	@find $(OUT) -name '*.png' -o -name '*.mp4' | sort | sed 's/^/  /'
 
-paper: configure ## the paper's figures 8, 9, 10, 20, 21 and table 2, and its printed numbers beside ours, into out/paper
+paper: configure ## every computed figure and printed number of the paper beside ours, as one page: out/paper/index.html; goes on where it was stopped
 	@cmake --build $(RELEASE) -j $(JOBS) --target talus
 	@$(PYTHON) runs/paper/reproduce.py --talus $(RELEASE)/talus --out out/paper
 

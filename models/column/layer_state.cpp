@@ -82,7 +82,7 @@ Forces forces(const Column& column, double t, std::span<const double> u) {
   const auto c = column.context(t);
   Forces f{};
   const double on_base = shear_rate(at, u, 0);
-  f.base_stress = -shear_viscosity(c, on_base, c.pressure(at.interface[0])) * on_base;
+  f.base_stress = -base_stress(c, on_base);
   std::vector<double> at_rest(u.size(), 0.0), rates(u.size());
   column.residual(t, u, at_rest, rates);
   for (int k = 0; k < at.n_layers(); ++k) {

@@ -36,7 +36,9 @@ struct Box {
   bool right_open = true;   ///< as left_open
   Contact end_walls = Contact::free_slip;  ///< of those ends that are walls
   Contact base = Contact::no_slip;
-  double base_speed = 0.0;      ///< along x [m/s]; not read under free slip
+  double base_speed = 0.0;  ///< along x [m/s]; not read under free slip
+  std::optional<double> base_friction =
+      {};                       ///< mu_b: grains slide on a no-slip base where they would pull harder than mu_b p [1]
   std::optional<Lid> lid = {};  ///< none: the surface is free
 };
 

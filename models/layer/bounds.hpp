@@ -45,13 +45,15 @@ inline Sticking sticking(double (*speed)(const Context&, int), const Context& c,
 struct Bounds {
   Contact base;
   double base_speed;
+  bool base_slides;  ///< grains stick to the base only as far as its friction holds them
   Top top;
   double lid_speed;
 };
 
 inline Bounds bounds(const Context& c, int i) {
   const auto middle = [&](double (*speed)(const Context&, int)) { return 0.5 * (speed(c, i) + speed(c, i + 1)); };
-  Bounds b{c.parameters->box.base, 0.0, top_of(*c.parameters), 0.0};
+  const auto& box = c.parameters->box;
+  Bounds b{box.base, 0.0, box.base_friction.has_value(), top_of(*c.parameters), 0.0};
   if (b.base == Contact::no_slip) b.base_speed = middle(base_speed);
   if (b.top == Top::no_slip) b.lid_speed = middle(lid_speed);
   return b;

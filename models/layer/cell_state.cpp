@@ -40,7 +40,8 @@ double mean_inertial_number(const Layer& layer, const Context& c, std::span<cons
     return 0.5 *
            (corner_inertial_number(layer, c, y, i, interface) + corner_inertial_number(layer, c, y, i + 1, interface));
   };
-  const double below = at(k);
+  const double below =
+      at(k == 0 && layer.parameters().box.base_friction ? 1 : k);  // shear on a base that slides is not known
   if (k + 1 < layer.columns().n_layers) return 0.5 * (below + at(k + 1));
   const double h = c.z[c.at(i, k + 1)] - c.z[c.at(i, k)], h_below = c.z[c.at(i, k)] - c.z[c.at(i, k - 1)];
   return std::max(below + (below - at(k - 1)) * 0.5 * h / h_below, 0.0);

@@ -29,7 +29,7 @@ def draw(talus, folder):
     for number, (axes, words) in enumerate(((speed, "speed, theory alone"), (inertia, "inertial number"))):
         look.label(axes, number, words)
         look.grid(axes)
-    return [look.save(figure, folder, "figure_10.png")], rows(exact, law)
+    return [reproduction.save(figure, folder, "figure_10.png")], rows(exact, law)
 
 
 def rows(exact, law):

@@ -20,7 +20,7 @@ def draw(talus, folder):
     name_markers(panels[0])
     panels[0].legend(loc="lower right", title=r"$\zeta$")
     panels[1].set_ylabel("")
-    return [look.save(figure, folder, "figure_20.png")], rows(coarse, fine)
+    return [reproduction.save(figure, folder, "figure_20.png")], rows(coarse, fine)
 
 
 def rows(coarse, fine):

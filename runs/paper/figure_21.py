@@ -25,7 +25,7 @@ def draw(talus, folder):
     name_markers(panels[0])
     panels[0].legend(loc="lower right", title="W")
     panels[1].set_ylabel("")
-    return [look.save(figure, folder, "figure_21.png")], result
+    return [reproduction.save(figure, folder, "figure_21.png")], result
 
 
 def rows(words, drawn, bagnold):

@@ -30,7 +30,7 @@ def draw(talus, folder):
         look.label(axes, number, words)
         look.grid(axes)
     near.legend(loc="lower right")
-    return [look.save(figure, folder, "figure_8.png")], rows(talus, laws)
+    return [reproduction.save(figure, folder, "figure_8.png")], rows(talus, laws)
 
 
 def draw_friction(axes, talus, laws, end, shaded):

@@ -22,7 +22,7 @@ def draw(talus, folder):
     draw_slopes(slopes, talus, partial, classical)
     look.label(profiles, 0, "speed")
     look.label(slopes, 1, "slope of the heap against inflow")
-    return [look.save(figure, folder, "figure_9.png")], rows(talus, partial, classical, beyond[-1])
+    return [reproduction.save(figure, folder, "figure_9.png")], rows(talus, partial, classical, beyond[-1])
 
 
 def draw_profiles(axes, partial, classical, z, u, z_infinite):

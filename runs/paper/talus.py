@@ -57,8 +57,9 @@ class Profile:
 
 
 class Talus:
-    def __init__(self, program, out):
-        self.program, self.out = Path(program), Path(out)
+    def __init__(self, program, out, preset="standard"):
+        """`preset` is the accuracy of the heaps, which take long; `out` holds their runs."""
+        self.program, self.out, self.preset = Path(program), Path(out), preset
 
     def call(self, *arguments):
         """Standard output of the program. A failure ends the script with the program's own words."""

@@ -177,6 +177,13 @@ int act(int argc, const char* const* argv) {
   plot_command->add_flag("--movie", movie, "a movie of the whole event, too");
   plot_command->callback([&] { code = plot(folder, movie); });
 
+  auto* report_command = program.add_subcommand(
+      "report", "one HTML page of a run: what was run, verdicts, figures, an animation, statistics, provenance");
+  report_command->add_option("folder", folder, "output folder of a run")->required()->type_name("DIR");
+  std::optional<std::filesystem::path> page;
+  report_command->add_option("--out", page, "the page; default report.html in that folder")->type_name("FILE.html");
+  report_command->callback([&] { code = report(folder, page); });
+
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -10,6 +10,8 @@
 namespace talus::app {
 namespace {
 
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
 output::Attributes attributes_of(const Scene& scene, const Theory& theory, const std::string& command) {
   auto libraries = library_versions();
   std::erase(libraries, output::netcdf_version());  // the provenance adds it
@@ -17,11 +19,19 @@ output::Attributes attributes_of(const Scene& scene, const Theory& theory, const
   attributes["title"] = scene.title.empty() ? scene.name : scene.title;
   attributes["scene_name"] = scene.name;
   attributes["model"] = scene.model;
-  attributes["box_tilt_deg"] = scene.box.tilt * 180.0 / std::numbers::pi;
+  attributes["box_tilt_deg"] = degrees(scene.box.tilt);
   attributes["film_m"] = scene.numerics.film;
   attributes["inflow_rate_kg_s"] = scene.inflow.rate;
   attributes["wall_friction"] = scene.wall.mu_w;
-  if (theory.steady) attributes["exact_mass_flow_kg_s"] = theory.steady->flow.flux();
+  if (theory.steady) {
+    const auto& steady = *theory.steady;
+    attributes["exact_mass_flow_kg_s"] = steady.flow.flux();
+    attributes["exact_slope_deg"] = degrees(steady.flow.zeta());
+    if (steady.regularised_slope) attributes["regularised_slope_deg"] = degrees(*steady.regularised_slope);
+    attributes["flowing_depth_m"] = steady.depth;
+    attributes["layers_in_flow"] = steady.layers;
+    attributes["fewest_layers_in_flow"] = fewest_layers;
+  }
   if (!scene.description.empty()) attributes["comment"] = scene.description;
   return attributes;
 }

@@ -86,6 +86,7 @@ experiment::Box box_of(const Values& v) {
           .end_walls = words::meaning(words::contacts, v.text("box.end_walls")),
           .base = words::meaning(words::contacts, v.text("box.base")),
           .base_speed = v.number("box.base_speed"),
+          .base_friction = v.has("box.base_friction") ? std::optional(v.number("box.base_friction")) : std::nullopt,
           .lid = lid_of(v)};
 }
 

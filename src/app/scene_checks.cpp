@@ -43,6 +43,9 @@ class CrossChecks {
       refuse("box.lid_speed", "grains slip along the lid; expected 0 m/s, or box.lid = \"no_slip\"");
     if (slips("box.base") && moves("box.base_speed"))
       refuse("box.base_speed", "grains slip along the base; expected 0 m/s, or box.base = \"no_slip\"");
+    if (slips("box.base") && box.base_friction)
+      refuse("box.base_friction",
+             "grains slip along the base without friction; expected no such key, or box.base = \"no_slip\"");
     if (!slips("box.end_walls") && (box.periodic || (box.left_open && box.right_open)))
       refuse("box.end_walls", "neither end is a wall; expected \"wall\" for box.left or box.right");
   }

@@ -32,6 +32,10 @@ void experiment(Schema& s) {
             .fallback(std::string("free_slip")));
   s.add(choice("base", words::of(words::contacts), "how grains meet the base").fallback(std::string("no_slip")));
   s.add(number("base_speed", "m/s", "of a base to which grains stick, along x").fallback(0.0));
+  s.add(number("base_friction", "1",
+               "mu_b of a no-slip base: grains slide on it where they would pull harder than mu_b p")
+            .above(0.0)
+            .optional("they stick, whatever the shear"));
   s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x")
             .fallback(0.0));
   const auto has_lid = [](const Values& v) { return words::meaning(words::surfaces, v.text("box.surface")); };

@@ -94,6 +94,8 @@ void Summary::write(const std::filesystem::path& path, const std::string& status
   json_["status"] = status;
   json_["exit_code"] = exit_code;
   json_["reason"] = reason.empty() ? Json(nullptr) : Json(reason);
+  const auto words = well_posedness();
+  json_["well_posedness_verdict"] = words.empty() ? Json(nullptr) : Json(words);
   output::write_atomically(path, text_of(with_times(), 2) + "\n");
 }
 

@@ -97,6 +97,10 @@ void poured(const Scene& s, Theory& theory) {
     theory.reason = "none: the base does not slope down to the right";
     return;
   }
+  if (s.box.base_friction) {
+    theory.reason = "not known over a base on which grains may slide";
+    return;
+  }
   const auto flow = flow_over_base(s);
   if (flow) {
     theory.steady = describe(*flow, false, flow->depth());
@@ -108,6 +112,10 @@ void poured(const Scene& s, Theory& theory) {
 void left_to_itself(const Scene& s, Theory& theory) {
   if (base_angle(s) <= 0.0) {
     theory.reason = "none: the base does not slope down to the right";
+    return;
+  }
+  if (s.box.base_friction) {
+    theory.reason = "not known over a base on which grains may slide";
     return;
   }
   const double thickness = experiment::normal_thickness(s.box, s.initial.thickness);

@@ -6,8 +6,12 @@
 namespace talus::app {
 
 std::vector<std::string> library_versions() {
-  return {std::string("SUNDIALS ") + build::sundials, std::string("SuiteSparse ") + build::suitesparse,
-          output::netcdf_version(), std::string("Eigen ") + build::eigen, std::string("toml++ ") + build::tomlplusplus};
+  return {std::string("SUNDIALS ") + build::sundials,
+          std::string("SuiteSparse ") + build::suitesparse,
+          output::netcdf_version(),
+          std::string("Eigen ") + build::eigen,
+          std::string("toml++ ") + build::tomlplusplus,
+          std::string("Ceres ") + build::ceres};
 }
 
 std::string version_text() {

@@ -1,4 +1,4 @@
-"""Draws the pictures of a run, or the page of a study or a fit: python3 src/plot RUN_DIR [--out DIR] [--movie]"""
+"""Draws the pictures of a run, or the page of a study or a fit: python3 src/plot RUN_DIR [--out DIR] [--movie | --report]"""
 
 import argparse
 import os
@@ -36,6 +36,7 @@ def arguments():
     parser.add_argument("run", type=Path, help="folder that holds run.nc or study.nc")
     parser.add_argument("--out", type=Path, help="folder for the pictures (default: 'pictures' in the run's folder)")
     parser.add_argument("--movie", action="store_true", help="a movie of the whole event, too")
+    parser.add_argument("--report", action="store_true", help="one HTML page instead of pictures; --out is then its name")
     return parser.parse_args()
 
 
@@ -59,12 +60,23 @@ def draw_fit(fit_page, folder):
     return OK
 
 
+def write_report(run, path):
+    import report_page
+
+    try:
+        print(report_page.draw(run, path, Progress()))
+    except OSError as error:
+        print(f"{path} cannot be written: {error}", file=sys.stderr)
+        return OUTPUT_FAILED
+    return OK
+
+
 def main():
     options = arguments()
     try:
-        import column_history, column_profiles, column_regularisations
         import fit_page
-        import field_maps, heap_movie, heap_shapes, layer_profiles, mass_curves, solver_history
+        import heap_movie
+        import pictures
         import study_pages
         from run_data import Missing, Run
     except ImportError as error:
@@ -72,6 +84,12 @@ def main():
             os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
         print(f"{error}: the pictures need python3-xarray, python3-netcdf4 and python3-matplotlib", file=sys.stderr)
         return SETUP_FAILED
+    if options.report:
+        try:
+            return write_report(Run(options.run), options.out or options.run / "report.html")
+        except Missing as error:
+            print(error, file=sys.stderr)
+            return SETUP_FAILED
     if (options.run / "study.nc").exists():
         return draw_study(options, study_pages)
     if (options.run / "fit.nc").exists() and not (options.run / "run.nc").exists():
@@ -85,15 +103,11 @@ def main():
         return SETUP_FAILED
 
     progress = Progress()
-    pictures = [("heap shapes", heap_shapes.draw), ("fields", field_maps.draw), ("mass", mass_curves.draw),
-                ("profiles", layer_profiles.draw), ("integrator", solver_history.draw)]
-    if run.is_column:
-        pictures = [("profiles", column_profiles.draw), ("history", column_history.draw),
-                    ("regularisations", column_regularisations.draw), ("integrator", solver_history.draw)]
+    drawn = [(words, draw) for words, draw, _ in pictures.of(run)]
     if options.movie:
-        pictures.append(("movie", lambda run, folder: heap_movie.draw(run, folder, progress.show)))
+        drawn.append(("movie", lambda run, folder: heap_movie.draw(run, folder, progress.show)))
     n_missing = 0
-    for words, draw in pictures:
+    for words, draw in drawn:
         progress.begin(words)
         try:
             progress.end(", ".join(path.name for path in draw(run, folder)))
@@ -103,7 +117,7 @@ def main():
         except OSError as error:
             progress.end(f"failed, {error}")
             return OUTPUT_FAILED
-    return OUTPUT_FAILED if n_missing == len(pictures) else OK
+    return OUTPUT_FAILED if n_missing == len(drawn) else OK
 
 
 if __name__ == "__main__":

@@ -70,7 +70,7 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
     outputs = [k for _, k in phases]
     fields = []
     for k in outputs:
-        masked = np.ma.masked_invalid(read(run, k))
+        masked = run.grains_only(read(run, k), k)
         masked[:, run.is_film(run.field("height", k))] = np.ma.masked
         fields.append(masked)
     low, high = limits(name, fields)
@@ -129,7 +129,7 @@ def cap_has_outline(run, k):
     if not run.has("cap_active"):
         return False
     cap = np.nan_to_num(run.field("cap_active", k))
-    return cap.min() < cap.max()
+    return min(cap.shape) > 1 and cap.min() < cap.max()
 
 
 def draw_cap(axes, run, k):

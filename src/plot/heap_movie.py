@@ -59,14 +59,15 @@ class FieldScene:
         self.run = run
         self.kept = {}
         sample = np.unique(np.linspace(0, run.times.size - 1, 24).round().astype(int))
-        self.top_speed = max(1e-12, *(top_speed(run.field("speed", k), run.is_film(run.field("height", k)))
+        self.top_speed = max(1e-12, *(top_speed(run.grains_only(run.field("speed", k), k), run.is_film(run.field("height", k)))
                                       for k in sample))
         self.outputs = sample
+        self.coloured = True
 
     def record(self, k):
         if k not in self.kept:
             self.kept = {i: v for i, v in self.kept.items() if i >= k - 1}
-            self.kept[k] = tuple(self.run.field(name, k) for name in ("z_node", "speed", "height"))
+            self.kept[k] = (self.run.field("z_node", k), self.run.grains_only(self.run.field("speed", k), k), self.run.field("height", k))
         return self.kept[k]
 
     def artists(self, axes, t):
@@ -75,7 +76,6 @@ class FieldScene:
         after = min(k + 1, run.times.size - 1)
         weight = np.clip((t - run.times[k]) / max(run.times[after] - run.times[k], 1e-12), 0.0, 1.0)
         z, speed, height = ((1.0 - weight) * a + weight * b for a, b in zip(self.record(k), self.record(after)))
-        speed = np.ma.masked_invalid(speed)
         speed[:, run.is_film(height)] = np.ma.masked
         X, Z = run.to_gravity(np.broadcast_to(run.x_face, z.shape), z)
         mesh = axes.pcolormesh(X, Z, speed, vmin=0.0, vmax=self.top_speed, antialiased=False)
@@ -84,19 +84,25 @@ class FieldScene:
 
 
 class SurfaceScene:
-    """The surface coloured by its speed, from the dense series, where fields are too far apart."""
+    """The surface from the dense series, where fields are too far apart, or from the outputs; coloured by its speed if that is known."""
 
     def __init__(self, run):
         self.run = run
-        self.height = run.series("height_series")
-        self.speed = run.series("surface_speed_series")
-        self.top_speed = max(1e-12, *(top_speed(u, run.is_film(h)) for u, h in zip(self.speed, self.height)))
+        dense = run.has("height_series")
+        self.times = run.series_times if dense else run.times
+        self.height = run.series("height_series") if dense else run.values("height")
+        self.speed = run.series("surface_speed_series") if run.has("surface_speed_series") else None
+        self.coloured = self.speed is not None
+        if self.coloured:
+            self.top_speed = max(1e-12, *(top_speed(u, run.is_film(h)) for u, h in zip(self.speed, self.height)))
         self.outputs = np.arange(run.times.size)
 
     def artists(self, axes, t):
         run = self.run
-        i = int(np.argmin(np.abs(run.series_times - t)))
+        i = int(np.argmin(np.abs(self.times - t)))
         grains, = axes.fill(*run.outline(self.height[i]), color=look.GRAINS, linewidth=0)
+        if not self.coloured:
+            return [grains, *axes.plot(*run.surface(self.height[i]), color=look.INK, linewidth=1.2)]
         points = np.stack(run.to_gravity(run.x, self.height[i]), axis=-1)
         line = LineCollection(np.stack([points[:-1], points[1:]], axis=1), array=self.speed[i][:-1], linewidths=3.0)
         line.set_clim(0.0, self.top_speed)
@@ -106,7 +112,7 @@ class SurfaceScene:
 
 def top_speed(speed, film):
     values = speed[..., ~film]
-    values = values[np.isfinite(values)]
+    values = np.ma.masked_invalid(values).compressed()
     return float(np.percentile(values, 99.8)) if values.size else 0.0
 
 
@@ -121,8 +127,9 @@ class Frames:
         look.grid(self.heap)
         self.heap.plot(*run.base(), color=look.INK, linewidth=2.0)
         self.heap.set(aspect="equal", xlim=(X0, X1), ylim=(Z0, Z1), xlabel="X, horizontal [m]", ylabel="Z, up [m]")
-        colours = plt.cm.ScalarMappable(plt.Normalize(0.0, scene.top_speed))
-        self.figure.colorbar(colours, ax=self.heap, label="speed [m s$^{-1}$]", extend="max", shrink=0.9)
+        if scene.coloured:
+            colours = plt.cm.ScalarMappable(plt.Normalize(0.0, scene.top_speed))
+            self.figure.colorbar(colours, ax=self.heap, label="speed [m s$^{-1}$]", extend="max", shrink=0.9)
         self.figure.suptitle(run.name)
         self.draw_rates()
         self.figure.canvas.draw()

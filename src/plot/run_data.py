@@ -1,6 +1,7 @@
 """A run's output, read record by record: names, times, and the way from the box to gravity's coordinates."""
 
 import os
+import tomllib
 from functools import cached_property
 from pathlib import Path
 
@@ -46,6 +47,16 @@ class Run:
 
     def attribute(self, name, default=None):
         return self.data.attrs.get(name, default)
+
+    @cached_property
+    def scene(self):
+        """The effective scene, its sections as dictionaries."""
+        return tomllib.loads(str(self.attribute("scene", "")))
+
+    def stated(self, section, key):
+        if key not in self.scene.get(section, {}):
+            raise Missing(f"the scene in run.nc has no {section}.{key}")
+        return self.scene[section][key]
 
     @property
     def name(self):
@@ -163,6 +174,11 @@ class Run:
     def is_film(self, height):
         """Columns that hold no more than the film on the base: their velocity means nothing."""
         return height <= 2.0 * self.film
+
+    def grains_only(self, field, k):
+        """A field of output k, masked where it is not finite and, of grains and air, where air is more than half."""
+        masked = np.ma.masked_invalid(field)
+        return np.ma.masked_where(self.field("phi", k) < 0.5, masked) if self.has("phi") else masked
 
     def extent(self, outputs, margin=0.04):
         """Axis limits (X0, X1, Z0, Z1) around base and surfaces of these outputs."""

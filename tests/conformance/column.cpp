@@ -44,8 +44,8 @@ TEST(Column, StressesBetweenLayersCancelToRounding) {
 }
 
 /// The same physics on the same cells: a layer whose columns all move alike has the column's rows.
-TEST(Column, RowsAreThoseOfTheLayerModelForAUniformLayer) {
-  const std::vector<std::string> settings{"rheology.p_0=0", "rheology.rate_speed=1e-2"};
+void expect_rows_of_the_layer_model(std::vector<std::string> settings) {
+  settings.insert(settings.end(), {"rheology.p_0=0", "rheology.rate_speed=1e-2"});
   const auto scene = chute.read(4, 12, settings);
   const column::Column column(app::make_column_parameters(scene));
   const layer::Layer layer(app::make_layer_parameters(tests::small("chute_periodic", 4, 12, settings)));
@@ -62,6 +62,11 @@ TEST(Column, RowsAreThoseOfTheLayerModelForAUniformLayer) {
   column.residual(0.1, state.u, state.rate, r);
   for (int k = 0; k < 12; ++k)
     EXPECT_NEAR(r_layer[at.momentum_u(1, k)], r[k], 1e-12 * (std::abs(r[k]) + 1.0)) << column.describe(k);
+}
+
+TEST(Column, RowsAreThoseOfTheLayerModelForAUniformLayer) {
+  expect_rows_of_the_layer_model({});
+  expect_rows_of_the_layer_model({"box.base_friction=0.3"});
 }
 
 TEST(Column, BaseSlopeIsAnotherWayToTilt) {

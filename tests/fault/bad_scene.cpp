@@ -108,6 +108,10 @@ INSTANTIATE_TEST_SUITE_P(
             "<rate>: inflow.rate: nothing pours through the lid; expected 0 kg/s, or box.surface = \"free\""},
         Mistake{"LidThatIsNotThere", "gravity = 9.81 ", "lid_speed = 0.1\ngravity = 9.81 ",
                 "<lid_speed>: box.lid_speed: there is no lid; expected box.surface = \"lid\""},
+        Mistake{
+            "BaseThatSlipsAndRubs", "gravity = 9.81 ", "base = \"free_slip\"\nbase_friction = 0.3\ngravity = 9.81 ",
+            "<base_friction>: box.base_friction: grains slip along the base without friction; expected no such key, or "
+            "box.base = \"no_slip\""},
         Mistake{"BaseThatSlipsAndMoves", "gravity = 9.81 ", "base = \"free_slip\"\nbase_speed = 0.1\ngravity = 9.81 ",
                 "<base_speed>: box.base_speed: grains slip along the base; expected 0 m/s, or box.base = \"no_slip\""},
         Mistake{"WallsThatAreNotThere", "gravity = 9.81 ", "end_walls = \"no_slip\"\ngravity = 9.81 ",

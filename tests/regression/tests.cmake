@@ -10,6 +10,9 @@ talus_test(regression cli_hstop PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(regression cli_fit PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
 add_test(NAME paper COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/paper.py $<TARGET_FILE:talus>)
 set_tests_properties(paper PROPERTIES LABELS regression-slow)
+# In Debian's Chromium (TEST_PACKAGES).
+add_test(NAME report COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/report.py $<TARGET_FILE:talus>)
+set_tests_properties(report PROPERTIES LABELS regression)
 # Eight members of the sweep of 500.
 add_test(NAME heap_slopes COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/heap_slopes.py $<TARGET_FILE:talus>)
 set_tests_properties(heap_slopes PROPERTIES LABELS regression)

@@ -4,6 +4,7 @@
 
 #include "column/context.hpp"
 #include "fv/term.hpp"
+#include "rheology/basal_friction.hpp"
 #include "rheology/wall_friction.hpp"
 
 namespace talus::column {
@@ -61,6 +62,17 @@ S shear_viscosity(const Context& c, const S& shear_rate, double p) {
                              S(0.25 * shear_rate * shear_rate), c.rate_floor, S(p));
 }
 
+/// Shear stress on the base [Pa], given the shear rate of grains that stick to it: less where its friction does not hold them.
+template <class S>
+S base_stress(const Context& c, const S& shear_rate) {
+  const double p = c.pressure(c.heights->interface[0]);
+  const S stuck = shear_viscosity(c, shear_rate, p) * shear_rate;
+  const auto& mu_b = c.parameters->box.base_friction;
+  if (!mu_b) return stuck;
+  const double limit = *mu_b * rheology::positive_pressure(p, c.parameters->regularisation.p_0);
+  return rheology::limited_shear(stuck, S(stuck / limit));
+}
+
 /// Shear stress eta du/dz on interface k, upon which layer k pulls layer k - 1 along; on the base, k = 0, the speed below
 /// is zero. The surface bears no stress.
 struct ShearStress : Kernel {
@@ -75,7 +87,8 @@ struct ShearStress : Kernel {
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int k = static_cast<int>(place);
     const S shear_rate = (in.y[1] - in.y[0]) / c.heights->distance(k);
-    const S tau = shear_viscosity(c, shear_rate, c.pressure(c.heights->interface[k])) * shear_rate;
+    const S tau = k == 0 ? base_stress(c, shear_rate)
+                         : S(shear_viscosity(c, shear_rate, c.pressure(c.heights->interface[k])) * shear_rate);
     out[0] -= tau;
     out[1] += tau;
   }

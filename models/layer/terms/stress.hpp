@@ -5,6 +5,7 @@
 
 #include "layer/bounds.hpp"
 #include "layer/terms/kernel.hpp"
+#include "rheology/basal_friction.hpp"
 
 namespace talus::layer {
 
@@ -100,6 +101,12 @@ S shear_of(const Traction<S>& T, const S& slope) {
   return (T.x - slope * T.z) / (1.0 + slope * slope);
 }
 
+/// The shear along a line of that slope per unit length of the line, where the traction on it is T.
+template <class S>
+S shear_along(const Traction<S>& T, const S& slope) {
+  return (T.x + slope * T.z) / (1.0 + slope * slope);
+}
+
 /// Traction on a wall without shear stress, given how fast the grains along it stretch: normal to it.
 template <class S>
 Traction<S> smooth_wall_traction(const Parameters& par, const S& stretch, const S& slope, const S& p, const S& H) {
@@ -142,8 +149,17 @@ struct CornerStress : Kernel, CornerSlots {
     const auto strain =
         corner_strain(g, k, columns.dx(), k == 0 ? std::optional(sticking(base_speed, c, f)) : std::nullopt, in.y);
     const auto tau = stress(par, strain.D_xx, strain.D_xz, p, H);
-    const S T_x = width(f) * (tau.xz - slope * tau.xx);
-    const S T_z = width(f) * (-tau.xx - slope * tau.xz);
+    S T_x = width(f) * (tau.xz - slope * tau.xx);
+    S T_z = width(f) * (-tau.xx - slope * tau.xz);
+    if (k == 0 && par.box.base_friction) {
+      const S stuck = shear_along(Traction<S>{T_x, T_z}, slope) / width(f);
+      const S limit = *par.box.base_friction * rheology::positive_pressure(p, par.regularisation.p_0);
+      // A base holds the immobile film, whose grains never leave, whatever its friction: sliding it would gain speed for ever.
+      const S mobile = 0.5 * (g.mobility(1) + g.mobility(2));
+      const S less = width(f) * (rheology::limited_shear(stuck, S(mobile * stuck / limit)) - stuck);
+      T_x += less;
+      T_z += slope * less;
+    }
     if (k > 0) scatter_momentum(S(-T_x), S(-T_z), g.slope_face(2, k - 1), out, 0);
     scatter_momentum(T_x, T_z, g.slope_face(2, k), out, 5);
     if (k > 0) {
@@ -187,7 +203,9 @@ CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, doubl
   const S u_below = k > 0 ? u(0) : (on_smooth_base ? u(1) : S(bounds.base_speed));
   const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : (on_smooth_base ? h : S(0.5 * h));
   S u_z;
-  if (k < n_layers - 1) {
+  if (k == 0 && bounds.base_slides) {
+    u_z = (u(2) - u(1)) / (0.5 * (h + g.h(2, k + 1)));  // how fast the grains slide on the base is not known
+  } else if (k < n_layers - 1) {
     u_z = (u(2) - u_below) / (reach_down + 0.5 * (h + g.h(2, k + 1)));
   } else if (bounds.top == Top::grains) {
     // Under a free surface I varies slowly and p grows as the depth: shear grows as its square root, from the middle of the
