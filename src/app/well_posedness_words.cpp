@@ -40,7 +40,8 @@ std::string well_posedness_words(const Json& kept, const Json& last) {
   if (most(kept, "class_ill_posed_area") > 0.0) {
     words = fmt::format(
         "ill-posed in at most {} of the flowing area, at the end in {} with {} of the flux: short waves grow there the "
-        "faster the shorter they are, and finer grids need not agree",
+        "faster the shorter they are, finer grids need not agree, and long steps may walk over them (modes of `talus "
+        "study wellposed` do not)",
         peak(kept, "class_ill_posed_area"), percent(number(last, "class_ill_posed_area")),
         percent(number(last, "class_ill_posed_flux")));
   } else {
