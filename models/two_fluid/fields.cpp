@@ -28,6 +28,8 @@ struct View {
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return system.mesh().grid(); }
   [[nodiscard]] double read(Index index) const { return fv::read(snapshot.y, index); }
+  /// A velocity, where there is one.
+  [[nodiscard]] double velocity(Index index, bool exists) const { return exists ? read(index) : nothing; }
   [[nodiscard]] double rate(Index index) const { return fv::read(snapshot.yp, index); }
   [[nodiscard]] const CellState& cell(int i, int k) const { return cells[std::size_t(k) * grid().n_columns() + i]; }
   [[nodiscard]] double area(int i, int k) const { return grid().dx(i) * grid().dz(k); }
@@ -168,9 +170,16 @@ std::vector<Entry> native_fields() {
   };
   return {
       native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
-             over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.system.unknowns().u(f, k)); })),
+             over(true, 0, false,
+                  [](const View& v, int f, int k) {
+                    return v.velocity(v.system.unknowns().u(f, k), v.system.mesh().has_face(f, k));
+                  })),
       native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
-             over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.system.unknowns().w(i, k)); }))};
+             over(false, 1, false, [](const View& v, int i, int k) {
+               const auto& mesh = v.system.mesh();
+               const bool exists = k == 0 ? mesh.has_cell(i, 0) : mesh.has_interface(i, k);
+               return v.velocity(v.system.unknowns().w(i, k), exists);
+             }))};
 }
 
 std::vector<Entry> lines() {
@@ -199,7 +208,7 @@ std::vector<Entry> numbers(double first_mass) {
   const auto extreme = [](double sign) {
     return [sign](const View& v) {
       double most = -std::numeric_limits<double>::infinity();
-      for (const auto& s : v.cells) most = std::max(most, sign * s.phi);
+      for (const auto [i, k] : v.system.mesh().cells()) most = std::max(most, sign * v.cell(i, k).phi);
       return sign * most;
     };
   };
@@ -212,12 +221,14 @@ std::vector<Entry> numbers(double first_mass) {
           [](const View& v) {
             return v.mass([](const CellState& s) { return std::max({s.phi - 1.0, -s.phi, 0.0}); });
           }),
+      one("n_cells", "1", "cells that have unknowns",
+          [](const View& v) { return static_cast<double>(v.system.mesh().cells().size()); }),
       one("phi_min", "1", "least volume fraction of the grains", extreme(-1.0)),
       one("phi_max", "1", "largest volume fraction of the grains", extreme(1.0)),
       one("mass_inflow", "kg", "mass poured in since the start", of(&Unknowns::mass_in)),
       one("mass_outflow_left", "kg", "mass gone over the left end since the start", of(&Unknowns::mass_left)),
       one("mass_outflow_right", "kg", "mass gone over the right end since the start", of(&Unknowns::mass_right)),
-      one("mass_outflow_top", "kg", "mass gone through the top since the start", of(&Unknowns::mass_top)),
+      one("mass_outflow_top", "kg", "mass gone through the top and the edge of the cells since the start", of(&Unknowns::mass_top)),
       one("mass_error", "kg", "stored mass less what it was at the start, less inflow, plus outflow",
           [=](const View& v) {
             const auto& at = v.system.unknowns();

@@ -52,7 +52,8 @@ S grain_flux_z(const Context& c, int i, int k, const S& w, const Row<S>& phi, co
   if (c.mesh->is_inlet(i, k)) return c.parameters->numerics.inlet_fraction * w;
   const auto& g = c.mesh->grid();
   const Spacings d{g.dz(k - 1), g.dz(k), g.across_interface(k - 1), g.across_interface(k), g.across_interface(k + 1)};
-  const double parting = c.mesh->has_cell(i, k) ? c.segregation_z() : 0.0;
+  const bool inside = c.mesh->has_cell(i, k - 1) && c.mesh->has_cell(i, k);
+  const double parting = inside ? c.segregation_z() : 0.0;
   const S omega = c.mesh->jet().omega(g.x_centre(g.column(i)), g.z_nodes[k], heap);
   return grain_flux(c.parameters->numerics, d, w, S(parting * omega), parting, phi);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "experiment/experiment.hpp"
 #include "rheology/law.hpp"
@@ -30,6 +31,13 @@ enum class Averaging : std::uint8_t { arithmetic, harmonic };
 /// Inertia carried along: none, first-order upwind, second-order central.
 enum class Advection : std::uint8_t { none, upwind, central };
 
+/// Which cells of the box have unknowns.
+struct Reach {
+  bool limited = false;         ///< only those that grains can reach: the heap's hull, the jet's corridor, a margin; else all
+  std::optional<double> slope;  ///< of the hull against the horizontal, the steepest that a surface gets [rad]; set where limited
+  double margin = 0.03;         ///< above the hull and beside the corridor [m]
+};
+
 /// Cells of the box: each direction in geometric progression.
 struct Grid {
   int columns, layers;
@@ -51,6 +59,7 @@ struct Numerics {
   double return_speed = 0.1;    ///< at which what is out of [0, 1] goes to the neighbours; 0: it stays [m/s]
   double x_grading = 1.0;       ///< as Grid::x_ratio
   double z_grading = 1.0;       ///< as Grid::z_ratio
+  Reach reach;
   double atol_fraction = 1e-5;  ///< absolute tolerance of phi [1]
   double inlet_fraction = 0.2;  ///< phi of what is poured [1]
   double jet_margin = 0.025;    ///< of the jet region beyond the inlet's edges (5.11) [m]

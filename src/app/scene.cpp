@@ -147,6 +147,9 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   n.return_speed = v.number("two_fluid.return_speed");
   n.x_grading = v.number("two_fluid.x_grading");
   n.z_grading = v.number("two_fluid.z_grading");
+  n.reach.limited = words::meaning(words::extents, v.text("two_fluid.cells"));
+  if (v.has("two_fluid.reach_slope")) n.reach.slope = v.number("two_fluid.reach_slope") * degree;
+  n.reach.margin = v.number("two_fluid.reach_margin");
   n.atol_fraction = number_or(v, "two_fluid.atol_fraction", 0.1 * v.number("integrator.rtol"));
   n.inlet_fraction = v.number("two_fluid.inlet_fraction");
   n.jet_margin = v.number("two_fluid.jet_margin");

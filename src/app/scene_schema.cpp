@@ -161,6 +161,16 @@ void numerics(Schema& s) {
   s.add(number("return_speed", "m/s", "at which volume fractions out of [0, 1] are evened out; 0: not at all")
             .at_least(0.0)
             .fallback(0.1));
+  s.add(choice("cells", words::of(words::extents),
+               "which cells have unknowns: all of the box, or those that the jet or a heap can reach")
+            .fallback(std::string("box")));
+  s.add(number("reach_slope", "degree", "against the horizontal, of the steepest surface for cells = reachable")
+            .above(0.0)
+            .below(90.0)
+            .optional("that of the exact steady flow"));
+  s.add(number("reach_margin", "m", "of reachable cells above the surface of the highest heap")
+            .at_least(0.0)
+            .fallback(0.03));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
   s.add(

@@ -34,6 +34,8 @@ inline constexpr Table<two_fluid::Transport, 2> transports{
     {{"limited", two_fluid::Transport::limited}, {"upwind", two_fluid::Transport::upwind}}};
 inline constexpr Table<two_fluid::Averaging, 2> averagings{
     {{"arithmetic", two_fluid::Averaging::arithmetic}, {"harmonic", two_fluid::Averaging::harmonic}}};
+/// Whether two_fluid::Reach is limited.
+inline constexpr Table<bool, 2> extents{{{"box", false}, {"reachable", true}}};
 inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},
