@@ -38,10 +38,12 @@ std::vector<bool> reachable_cells(const Parameters& par, const grid::Rectilinear
   double highest = -anywhere;
   for (int i = 0; i < nx; ++i)
     for (int k = 0; k < nz; ++k)
-      if (near_jet(i, k, 0.0) && under_faces(i, k)) highest = std::max(highest, jet.height(g.x_centre(i), g.z_centre(k)));
+      if (near_jet(i, k, 0.0) && under_faces(i, k))
+        highest = std::max(highest, jet.height(g.x_centre(i), g.z_centre(k)));
   for (int i = 0; i < nx; ++i) {
     for (int k = 0; k < nz; ++k) {
-      const double lowest = std::min(jet.height(g.x_nodes[i], g.z_nodes[k]), jet.height(g.x_nodes[i + 1], g.z_nodes[k]));
+      const double lowest =
+          std::min(jet.height(g.x_nodes[i], g.z_nodes[k]), jet.height(g.x_nodes[i + 1], g.z_nodes[k]));
       const bool in_hull = under_faces(i, k) && lowest < highest + reach.margin;
       const bool at_start = g.z_nodes[k] < par.thickness + reach.margin;
       reachable[static_cast<std::size_t>(i) * nz + k] = in_hull || at_start || near_jet(i, k, reach.margin);

@@ -50,9 +50,7 @@ class Unknowns {
   [[nodiscard]] Index continuity(int i, int k) const { return phi(i, k) < 0 ? -1 : w(i, k + 1); }
 
  private:
-  [[nodiscard]] std::size_t table(int i, int k) const {
-    return static_cast<std::size_t>(i) * (g_->n_layers() + 1) + k;
-  }
+  [[nodiscard]] std::size_t table(int i, int k) const { return static_cast<std::size_t>(i) * (g_->n_layers() + 1) + k; }
   /// The number that follows all fields and the first n budgets that exist.
   [[nodiscard]] Index extra(int n) const {
     const bool exists[] = {budgets_.inflow, budgets_.left, budgets_.right, budgets_.top, budgets_.heap};

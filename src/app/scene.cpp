@@ -171,6 +171,7 @@ Integration integration_of(const Values& v) {
           .max_order = small_integer(v, "integrator.max_order"),
           .linear_solver = words::meaning(words::linear_solvers, v.text("integrator.linear_solver")),
           .newton = words::meaning(words::newtons, v.text("integrator.newton")),
+          .newton_tolerance = v.number("integrator.newton_tolerance"),
           .max_step = number_or(v, "integrator.max_step", 0.0)};
 }
 
@@ -242,6 +243,7 @@ ida::Options make_integrator_options(const Scene& scene) {
   options.max_order = scene.integration.max_order;
   options.max_step = scene.integration.max_step;
   options.newton.kind = scene.integration.newton;
+  options.newton.tolerance = scene.integration.newton_tolerance;
   options.linear.choice = scene.integration.linear_solver;
   return options;
 }

@@ -40,7 +40,8 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
   }
   if (scene.two_fluid.reach.limited) {
     if (!(scene.inflow.rate > 0.0))
-      refuse("two_fluid.cells", "reachable cells are those that a jet pours grains into; expected box where nothing is poured");
+      refuse("two_fluid.cells",
+             "reachable cells are those that a jet pours grains into; expected box where nothing is poured");
     else if (!reach_slope(scene))
       refuse("two_fluid.cells", "no steady slope is known for this flow; expected two_fluid.reach_slope, or box");
   }

@@ -30,8 +30,9 @@ inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
      {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
 inline constexpr Table<two_fluid::Direction, 2> directions{
     {{"gravity", two_fluid::Direction::gravity}, {"base_normal", two_fluid::Direction::base_normal}}};
-inline constexpr Table<two_fluid::Transport, 2> transports{
-    {{"limited", two_fluid::Transport::limited}, {"upwind", two_fluid::Transport::upwind}}};
+inline constexpr Table<two_fluid::Transport, 3> transports{{{"limited", two_fluid::Transport::limited},
+                                                            {"upwind", two_fluid::Transport::upwind},
+                                                            {"jet", two_fluid::Transport::jet}}};
 inline constexpr Table<two_fluid::Averaging, 2> averagings{
     {{"arithmetic", two_fluid::Averaging::arithmetic}, {"harmonic", two_fluid::Averaging::harmonic}}};
 /// Whether two_fluid::Reach is limited.
