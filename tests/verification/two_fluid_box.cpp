@@ -91,8 +91,8 @@ TEST(TwoFluidBox, FlowsAsTheExactSolutionInFigures20And21) {
     }
 }
 
-/// What each regularisation costs, 41 degrees: the flux error falls with the cap as 1/eta_max down to what the others leave; the speed of
-/// segregation does nothing to grains that are parted; air drags on the surface in proportion to its viscosity.
+/// What each regularisation costs, 41 degrees: the flux error falls with the cap as 1/eta_max down to what the others leave; neither the
+/// speed of segregation, where the phases are parted already, nor the viscosity of air that is carried along matters.
 TEST(TwoFluidBox, ErrorsFollowTheRegularisations) {
   tests::Table table("two_fluid_box_regularisations", {"eta_max [Pa s]", "f_ga [m/s]", "air viscosity [Pa s]",
                                                        "flux error [%]", "L2 of u [%]", "steps", "factorisations"});
@@ -110,10 +110,7 @@ TEST(TwoFluidBox, ErrorsFollowTheRegularisations) {
   error(1e2, 0.1, 1e-4);
   error(1e8, 0.1, 1e-4);
   for (const double f_ga : {0.01, 0.3, 1.0}) EXPECT_NEAR(error(1e6, f_ga, 1e-4), reference, 1e-5) << f_ga;
-  const double dragged = error(1e6, 0.1, 1e-2) - reference;
-  EXPECT_LT(dragged, 0.0);
-  EXPECT_LT(std::abs(error(1e6, 0.1, 1e-3) - reference), 0.2 * std::abs(dragged));
-  error(1e6, 0.1, 1e-1);
+  for (const double air : {1e-3, 1e-2, 1e-1}) EXPECT_NEAR(error(1e6, 0.1, air), reference, 1e-4) << air;
 }
 
 /// The surface between two cells (100 in 105), and within one (100 in all).
