@@ -102,7 +102,8 @@ def draw_mass(two, layer, folder):
     figure, axes = plt.subplots(figsize=(7.5, 4.6))
     look.grid(axes)
     for run, (name, style), colour in zip((two, layer), LINES, (look.BLUE, look.ORANGE)):
-        axes.plot(run.series_times, run.series("mass_stored"), style, color=colour, label=name)
+        mass = run.series("mass_stored")
+        axes.plot(run.series_times, mass - mass[0], style, color=colour, label=name)  # the layer starts with a film
     axes.plot(two.series_times, two.series("mass_stored") - two.series("mass_airborne"), ":", color=look.BLUE,
               label="two fluids, in cells filled half or more")
     shown = [k for k, t in enumerate(paper.MASS_TIMES) if t <= two.series_times[-1] + 0.5]
