@@ -122,7 +122,8 @@ def steady_slope(run):
 def draw_shapes(pairs, no_walls, program, folder):
     """Surfaces at the end of the inflow (figure 16) with the exact slope through the layer's toe, and without walls (figure 19)."""
     all_pairs = [*pairs, *([no_walls] if no_walls else [])]
-    figure, panels = plt.subplots(1, len(all_pairs), figsize=(5.0 * len(all_pairs), 5.0), sharey=True, squeeze=False)
+    figure, panels = plt.subplots(1, len(all_pairs), figsize=(5.0 * len(all_pairs), 5.4), sharey=True, squeeze=False)
+    panels[0, 0].set_ylim(-0.02, 0.5)
     for number, (axes, pair) in enumerate(zip(panels[0], all_pairs)):
         look.grid(axes)
         axes.plot(*pair[0].base(), color=look.INK, linewidth=2.0)
@@ -139,7 +140,7 @@ def draw_shapes(pairs, no_walls, program, folder):
             axes.plot([X - reach, X], [Z + reach * np.tan(np.radians(exact)), Z], ":", color=look.ACCENT, label="exact slope")
             words.append(f"exact: {exact:.2f}°")
         axes.text(0.03, 0.04, "\n".join(words), transform=axes.transAxes, va="bottom", fontsize=9)
-        axes.set(aspect="equal", xlabel="X, horizontal [m]", ylim=(-0.02, 0.5))
+        axes.set(aspect="equal", xlabel="X, horizontal [m]")
         look.label(axes, number, f"{1e3 * Q:.1f} g/s" + (", no wall friction" if pair is no_walls else ""))
     panels[0, 0].set_ylabel("Z, up [m]")
     panels[0, 0].legend(loc="upper right")
