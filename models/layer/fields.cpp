@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/staggered_fields.hpp"
 #include "diagnostics/heap_shape.hpp"
 #include "layer/cell_state.hpp"
 #include "layer/film.hpp"
@@ -33,6 +34,14 @@ struct View {
   [[nodiscard]] int nx() const { return layer.columns().n_columns; }
   [[nodiscard]] int nz() const { return layer.columns().n_layers; }
   [[nodiscard]] double z(int i, int k) const { return context.z[context.at(i, k)]; }
+  [[nodiscard]] double x_centre(int i) const { return layer.columns().x_centre(i); }
+  [[nodiscard]] double x_face(int f) const { return layer.columns().x_face(f); }
+  [[nodiscard]] double z_centre(int i, int k) const {
+    return 0.5 * (z(i, k) + z(i, k + 1)) + layer.parameters().box.base_slope * x_centre(i);
+  }
+  [[nodiscard]] double z_node(int f, int k) const {
+    return 0.5 * (z(f - 1, k) + z(f, k)) + layer.parameters().box.base_slope * x_face(f);
+  }
   /// [kg/s]
   [[nodiscard]] double mass_flow() const {
     const auto& at = layer.unknowns();
@@ -79,65 +88,15 @@ View make_view(const Layer& layer, const core::Snapshot& snapshot) {
   return v;
 }
 
-using Dimensions = std::vector<std::string>;
-using Fill = std::function<void(const View&, std::vector<double>&)>;
+using Fields = core::StaggeredFields<View>;
+using Entry = Fields::Entry;
+using Fill = Fields::Fill;
 
-struct Entry {
-  core::Variable variable;
-  Fill fill;
-};
+constexpr auto over = &Fields::over;
 
-/// A value a column, a face, a cell, ... in row-major order.
-Fill over(bool faces, int rows_beyond_layers, bool flat, std::function<double(const View&, int, int)> value) {
-  return [=](const View& v, std::vector<double>& out) {
-    const int n = v.nx() + (faces ? 1 : 0), rows = flat ? 1 : v.nz() + rows_beyond_layers;
-    out.clear();
-    for (int k = 0; k < rows; ++k)
-      for (int i = 0; i < n; ++i) out.push_back(value(v, i, k));
-  };
-}
 Fill cells(double CellState::*member) {
   return over(false, 0, false,
               [=](const View& v, int i, int k) { return v.cells[std::size_t(k) * v.nx() + i].*member; });
-}
-Fill number(std::function<double(const View&)> value) {
-  return [=](const View& v, std::vector<double>& out) { out.assign(1, value(v)); };
-}
-
-std::vector<Entry> coordinates() {
-  const auto as_double = core::Storage::double_precision;
-  const std::map<std::string, std::string> sgrid{
-      {"cf_role", "grid_topology"},
-      {"topology_dimension", "2"},
-      {"node_dimensions", "face interface"},
-      {"face_dimensions", "column: face (padding: none) layer: interface (padding: none)"},
-      {"edge1_dimensions", "face layer: interface (padding: none)"},
-      {"edge2_dimensions", "interface column: face (padding: none)"},
-      {"node_coordinates", "x_face z_node"},
-      {"face_coordinates", "x z"}};
-  return {
-      {{"grid", {}, "1", "staggered grid of columns and layers", as_double, true, sgrid},
-       number([](const View&) { return 0.0; })},
-      {{"x", {"column"}, "m", "distance down the base to the middle of the column", as_double, true, {{"axis", "X"}}},
-       over(false, 0, true, [](const View& v, int i, int) { return v.layer.columns().x_centre(i); })},
-      {{"x_face", {"face"}, "m", "distance down the base to the face", as_double, true, {}},
-       over(true, 0, true, [](const View& v, int i, int) { return v.layer.columns().x_face(i); })},
-      {{"z",
-        {"layer", "column"},
-        "m",
-        "height of the cell's middle, normal to the base",
-        as_double,
-        false,
-        {{"axis", "Z"}, {"positive", "up"}}},
-       over(false, 0, false,
-            [](const View& v, int i, int k) {
-              return 0.5 * (v.z(i, k) + v.z(i, k + 1)) +
-                     v.layer.parameters().box.base_slope * v.layer.columns().x_centre(i);
-            })},
-      {{"z_node", {"interface", "face"}, "m", "height of the cell's corner, normal to the base", as_double, false, {}},
-       over(true, 1, false, [](const View& v, int f, int k) {
-         return 0.5 * (v.z(f - 1, k) + v.z(f, k)) + v.layer.parameters().box.base_slope * v.layer.columns().x_face(f);
-       })}};
 }
 
 /// A number for each class, as diagnostics::FlowClass counts them.
@@ -158,16 +117,7 @@ Entry flow_class_field() {
 }
 
 std::vector<Entry> cell_fields() {
-  const auto field = [](const char* name, const char* unit, const char* long_name, Fill fill) {
-    return Entry{{name,
-                  {"layer", "column"},
-                  unit,
-                  long_name,
-                  core::Storage::single_precision,
-                  false,
-                  {{"coordinates", "x z"}, {"grid", "grid"}, {"location", "face"}}},
-                 std::move(fill)};
-  };
+  const auto field = &Fields::cell_field;
   return {
       field("u_centre", "m s-1", "velocity down the base, in the cell's middle", cells(&CellState::u)),
       field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", cells(&CellState::w)),
@@ -196,17 +146,7 @@ std::vector<Entry> cell_fields() {
 }
 
 std::vector<Entry> native_fields() {
-  const auto native = [](const char* name, Dimensions dimensions, const char* long_name, const char* location,
-                         Fill fill) {
-    return Entry{{name,
-                  std::move(dimensions),
-                  "m s-1",
-                  long_name,
-                  core::Storage::single_precision,
-                  false,
-                  {{"grid", "grid"}, {"location", location}}},
-                 std::move(fill)};
-  };
+  const auto native = &Fields::velocity;
   return {
       native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
              over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.layer.unknowns().u(f, k)); })),
@@ -249,10 +189,7 @@ double leaving(const View& v, double sign) {
 }
 
 std::vector<Entry> numbers(double first_mass) {
-  const auto one = [](const char* name, const char* unit, const char* long_name,
-                      std::function<double(const View&)> value) {
-    return Entry{{name, {}, unit, long_name, core::Storage::double_precision, false, {}}, number(std::move(value))};
-  };
+  const auto one = &Fields::scalar;
   const auto mass = [](Index (Unknowns::*index)() const) {
     return [index](const View& v) { return v.read((v.layer.unknowns().*index)()); };
   };
@@ -288,7 +225,7 @@ std::vector<Entry> shares() {
   std::vector<Entry> all;
   for (const auto& share : diagnostics::share_numbers())
     all.push_back({{share.name, {}, "1", share.long_name, core::Storage::double_precision, false, {}},
-                   number([value = share.value](const View& v) { return value(v.shares); })});
+                   Fields::number([value = share.value](const View& v) { return value(v.shares); })});
   return all;
 }
 
@@ -296,7 +233,7 @@ std::vector<Entry> entries(const Layer& layer) {
   std::vector<Entry> all;
   const double first_mass = layer.parameters().initial.thickness * layer.parameters().box.length *
                             layer.parameters().grains.rho() * layer.parameters().box.gap;
-  for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass), shares()})
+  for (auto&& group : {Fields::coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass), shares()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -304,21 +241,13 @@ std::vector<Entry> entries(const Layer& layer) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::size_t>> LayerFields::dimensions() const {
-  const std::size_t nx = layer_.columns().n_columns, nz = layer_.columns().n_layers;
-  return {{"column", nx}, {"face", nx + 1}, {"layer", nz}, {"interface", nz + 1}};
+  return Fields::dimensions(layer_.columns().n_columns, layer_.columns().n_layers);
 }
 
-std::vector<core::Variable> LayerFields::variables() const {
-  std::vector<core::Variable> out;
-  for (auto& entry : entries(layer_)) out.push_back(std::move(entry.variable));
-  return out;
-}
+std::vector<core::Variable> LayerFields::variables() const { return Fields::variables(entries(layer_)); }
 
 void LayerFields::evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) {
-  const auto all = entries(layer_);
-  const View view = make_view(layer_, snapshot);
-  values.resize(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].fill(view, values[i]);
+  Fields::evaluate(entries(layer_), make_view(layer_, snapshot), values);
 }
 
 }  // namespace talus::layer

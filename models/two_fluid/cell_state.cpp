@@ -8,8 +8,16 @@
 
 namespace talus::two_fluid {
 
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr CellState no_cell{nothing, nothing, nothing, nothing, nothing, nothing,
+                            nothing, nothing, nothing, false,   nothing, nothing};
+
+}  // namespace
+
 CellState cell_state(const TwoFluid& system, const Context& c, std::span<const double> y, int i, int k) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (!system.mesh().has_cell(i, k)) return no_cell;
   const auto& par = system.parameters();
   std::array<Index, CentreSlots::n_in> in{};
   std::array<double, CentreSlots::n_in> v{};
@@ -40,7 +48,7 @@ double heap_height(const TwoFluid& system, std::span<const double> y, int i) {
   const auto& g = system.mesh().grid();
   double height = 0.0;
   for (int k = 0; k < g.n_layers(); ++k) {
-    const double phi = y[system.unknowns().phi(i, k)];
+    const double phi = fv::read(y, system.unknowns().phi(i, k));
     height += phi * g.dz(k);
     if (!(phi > dense)) break;
   }

@@ -7,7 +7,7 @@
 namespace talus::two_fluid {
 
 /// Everything pointwise in the middle of a cell, from the same strain rates and viscosity as the equations. Where grains do not fill half
-/// the cell, I, mu, C and q are not numbers.
+/// the cell, I, mu, C and q are not numbers; where there is no cell, nothing is.
 struct CellState {
   double u, w;         ///< [m/s]
   double phi;          ///< [1]

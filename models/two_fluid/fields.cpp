@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/staggered_fields.hpp"
 #include "diagnostics/heap_shape.hpp"
 #include "diagnostics/ill_posedness.hpp"
 #include "two_fluid/cell_state.hpp"
@@ -27,7 +28,15 @@ struct View {
   diagnostics::IllPosedness ill_posed;
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return system.mesh().grid(); }
+  [[nodiscard]] int nx() const { return grid().n_columns(); }
+  [[nodiscard]] int nz() const { return grid().n_layers(); }
+  [[nodiscard]] double x_centre(int i) const { return grid().x_centre(i); }
+  [[nodiscard]] double x_face(int f) const { return grid().x_nodes[f]; }
+  [[nodiscard]] double z_centre(int, int k) const { return grid().z_centre(k); }
+  [[nodiscard]] double z_node(int, int k) const { return grid().z_nodes[k]; }
   [[nodiscard]] double read(Index index) const { return fv::read(snapshot.y, index); }
+  /// A velocity, where there is one.
+  [[nodiscard]] double velocity(Index index, bool exists) const { return exists ? read(index) : nothing; }
   [[nodiscard]] double rate(Index index) const { return fv::read(snapshot.yp, index); }
   [[nodiscard]] const CellState& cell(int i, int k) const { return cells[std::size_t(k) * grid().n_columns() + i]; }
   [[nodiscard]] double area(int i, int k) const { return grid().dx(i) * grid().dz(k); }
@@ -74,63 +83,17 @@ View make_view(const TwoFluid& system, const core::Snapshot& snapshot) {
   return v;
 }
 
-using Dimensions = std::vector<std::string>;
-using Fill = std::function<void(const View&, std::vector<double>&)>;
+using Fields = core::StaggeredFields<View>;
+using Entry = Fields::Entry;
+using Fill = Fields::Fill;
 
-struct Entry {
-  core::Variable variable;
-  Fill fill;
-};
-
-/// A value a place, in row-major order: columns or faces, layers, interfaces or one row.
-Fill over(bool faces, int rows_beyond_layers, bool flat, std::function<double(const View&, int, int)> value) {
-  return [=](const View& v, std::vector<double>& out) {
-    const int n = v.grid().n_columns() + (faces ? 1 : 0), rows = flat ? 1 : v.grid().n_layers() + rows_beyond_layers;
-    out.clear();
-    for (int k = 0; k < rows; ++k)
-      for (int i = 0; i < n; ++i) out.push_back(value(v, i, k));
-  };
-}
-Fill number(std::function<double(const View&)> value) {
-  return [=](const View& v, std::vector<double>& out) { out.assign(1, value(v)); };
-}
-
-std::vector<Entry> coordinates() {
-  const auto as_double = core::Storage::double_precision;
-  const std::map<std::string, std::string> sgrid{
-      {"cf_role", "grid_topology"},
-      {"topology_dimension", "2"},
-      {"node_dimensions", "face interface"},
-      {"face_dimensions", "column: face (padding: none) layer: interface (padding: none)"},
-      {"edge1_dimensions", "face layer: interface (padding: none)"},
-      {"edge2_dimensions", "interface column: face (padding: none)"},
-      {"node_coordinates", "x_face z_node"},
-      {"face_coordinates", "x z"}};
-  const std::map<std::string, std::string> upwards{{"axis", "Z"}, {"positive", "up"}};
-  return {
-      {{"grid", {}, "1", "staggered grid of columns and layers", as_double, true, sgrid},
-       number([](const View&) { return 0.0; })},
-      {{"x", {"column"}, "m", "distance down the base to the middle of the column", as_double, true, {{"axis", "X"}}},
-       over(false, 0, true, [](const View& v, int i, int) { return v.grid().x_centre(i); })},
-      {{"x_face", {"face"}, "m", "distance down the base to the face", as_double, true, {}},
-       over(true, 0, true, [](const View& v, int i, int) { return v.grid().x_nodes[i]; })},
-      {{"z", {"layer", "column"}, "m", "height of the cell's middle, normal to the base", as_double, false, upwards},
-       over(false, 0, false, [](const View& v, int, int k) { return v.grid().z_centre(k); })},
-      {{"z_node", {"interface", "face"}, "m", "height of the cell's corner, normal to the base", as_double, false, {}},
-       over(true, 1, false, [](const View& v, int, int k) { return v.grid().z_nodes[k]; })}};
-}
+constexpr auto over = &Fields::over;
 
 std::vector<Entry> cell_fields() {
   const auto field = [](const char* name, const char* unit, const char* long_name,
                         std::function<double(const CellState&)> value) {
-    return Entry{{name,
-                  {"layer", "column"},
-                  unit,
-                  long_name,
-                  core::Storage::single_precision,
-                  false,
-                  {{"coordinates", "x z"}, {"grid", "grid"}, {"location", "face"}}},
-                 over(false, 0, false, [=](const View& v, int i, int k) { return value(v.cell(i, k)); })};
+    return Fields::cell_field(name, unit, long_name,
+                              over(false, 0, false, [=](const View& v, int i, int k) { return value(v.cell(i, k)); }));
   };
   using C = CellState;
   return {
@@ -155,22 +118,18 @@ std::vector<Entry> cell_fields() {
 }
 
 std::vector<Entry> native_fields() {
-  const auto native = [](const char* name, Dimensions dimensions, const char* long_name, const char* location,
-                         Fill fill) {
-    return Entry{{name,
-                  std::move(dimensions),
-                  "m s-1",
-                  long_name,
-                  core::Storage::single_precision,
-                  false,
-                  {{"grid", "grid"}, {"location", location}}},
-                 std::move(fill)};
-  };
-  return {
-      native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
-             over(true, 0, false, [](const View& v, int f, int k) { return v.read(v.system.unknowns().u(f, k)); })),
-      native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
-             over(false, 1, false, [](const View& v, int i, int k) { return v.read(v.system.unknowns().w(i, k)); }))};
+  const auto native = &Fields::velocity;
+  return {native("u", {"layer", "face"}, "velocity down the base, at the faces of columns", "edge1",
+                 over(true, 0, false,
+                      [](const View& v, int f, int k) {
+                        return v.velocity(v.system.unknowns().u(f, k), v.system.mesh().has_face(f, k));
+                      })),
+          native("w", {"interface", "column"}, "velocity normal to the base, on the interfaces of layers", "edge2",
+                 over(false, 1, false, [](const View& v, int i, int k) {
+                   const auto& mesh = v.system.mesh();
+                   const bool exists = k == 0 ? mesh.has_cell(i, 0) : mesh.has_interface(i, k);
+                   return v.velocity(v.system.unknowns().w(i, k), exists);
+                 }))};
 }
 
 std::vector<Entry> lines() {
@@ -185,10 +144,7 @@ std::vector<Entry> lines() {
 }
 
 std::vector<Entry> numbers(double first_mass) {
-  const auto one = [](const char* name, const char* unit, const char* long_name,
-                      std::function<double(const View&)> value) {
-    return Entry{{name, {}, unit, long_name, core::Storage::double_precision, false, {}}, number(std::move(value))};
-  };
+  const auto one = &Fields::scalar;
   const auto of = [](Index (Unknowns::*index)() const) {
     return [index](const View& v) { return v.read((v.system.unknowns().*index)()); };
   };
@@ -199,7 +155,7 @@ std::vector<Entry> numbers(double first_mass) {
   const auto extreme = [](double sign) {
     return [sign](const View& v) {
       double most = -std::numeric_limits<double>::infinity();
-      for (const auto& s : v.cells) most = std::max(most, sign * s.phi);
+      for (const auto [i, k] : v.system.mesh().cells()) most = std::max(most, sign * v.cell(i, k).phi);
       return sign * most;
     };
   };
@@ -212,12 +168,15 @@ std::vector<Entry> numbers(double first_mass) {
           [](const View& v) {
             return v.mass([](const CellState& s) { return std::max({s.phi - 1.0, -s.phi, 0.0}); });
           }),
+      {{"n_cells", {}, "1", "cells that have unknowns", core::Storage::double_precision, true, {}},
+       Fields::number([](const View& v) { return static_cast<double>(v.system.mesh().cells().size()); })},
       one("phi_min", "1", "least volume fraction of the grains", extreme(-1.0)),
       one("phi_max", "1", "largest volume fraction of the grains", extreme(1.0)),
       one("mass_inflow", "kg", "mass poured in since the start", of(&Unknowns::mass_in)),
       one("mass_outflow_left", "kg", "mass gone over the left end since the start", of(&Unknowns::mass_left)),
       one("mass_outflow_right", "kg", "mass gone over the right end since the start", of(&Unknowns::mass_right)),
-      one("mass_outflow_top", "kg", "mass gone through the top since the start", of(&Unknowns::mass_top)),
+      one("mass_outflow_top", "kg", "mass gone through the top and the edge of the cells since the start",
+          of(&Unknowns::mass_top)),
       one("mass_error", "kg", "stored mass less what it was at the start, less inflow, plus outflow",
           [=](const View& v) {
             const auto& at = v.system.unknowns();
@@ -244,7 +203,7 @@ std::vector<Entry> entries(const TwoFluid& system) {
   const auto& par = system.parameters();
   const double first_mass = par.thickness * par.box.length * par.grains.rho() * par.box.gap;
   std::vector<Entry> all;
-  for (auto&& group : {coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
+  for (auto&& group : {Fields::coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -252,21 +211,13 @@ std::vector<Entry> entries(const TwoFluid& system) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::size_t>> TwoFluidFields::dimensions() const {
-  const std::size_t nx = system_.mesh().grid().n_columns(), nz = system_.mesh().grid().n_layers();
-  return {{"column", nx}, {"face", nx + 1}, {"layer", nz}, {"interface", nz + 1}};
+  return Fields::dimensions(system_.mesh().grid().n_columns(), system_.mesh().grid().n_layers());
 }
 
-std::vector<core::Variable> TwoFluidFields::variables() const {
-  std::vector<core::Variable> out;
-  for (auto& entry : entries(system_)) out.push_back(std::move(entry.variable));
-  return out;
-}
+std::vector<core::Variable> TwoFluidFields::variables() const { return Fields::variables(entries(system_)); }
 
 void TwoFluidFields::evaluate(const core::Snapshot& snapshot, std::vector<std::vector<double>>& values) {
-  const auto all = entries(system_);
-  const View view = make_view(system_, snapshot);
-  values.resize(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].fill(view, values[i]);
+  Fields::evaluate(entries(system_), make_view(system_, snapshot), values);
 }
 
 }  // namespace talus::two_fluid

@@ -43,9 +43,13 @@ class JetRegion {
   [[nodiscard]] bool in_corridor(double x, double z) const { return exists_ && std::abs(X(x, z)) < half_; }
   /// Width of the corridor [m].
   [[nodiscard]] double width() const { return 2.0 * half_; }
+  /// Whether a cell of sides dx, dz about (x, z) comes nearer to the corridor than `margin` [m].
+  [[nodiscard]] bool comes_near(double x, double z, double dx, double dz, double margin) const {
+    return exists_ && std::abs(X(x, z)) < half_ + margin + half_breadth(dx, dz);
+  }
   /// Share of a cell of sides dx, dz about (x, z) that lies in the corridor [1]: exact but for the cell's corners.
   [[nodiscard]] double share_of_cell(double x, double z, double dx, double dz) const {
-    const double reach = 0.5 * (dx * cosine_ + dz * std::abs(sine_));
+    const double reach = half_breadth(dx, dz);
     const double from = std::fmax(X(x, z) - reach, -half_), to = std::fmin(X(x, z) + reach, half_);
     return std::fmax(to - from, 0.0) / (2.0 * reach);
   }
@@ -60,6 +64,8 @@ class JetRegion {
   }
 
  private:
+  /// Of a cell, across the jet [m].
+  [[nodiscard]] double half_breadth(double dx, double dz) const { return 0.5 * (dx * cosine_ + dz * std::abs(sine_)); }
   [[nodiscard]] double X(double x, double z) const { return x * cosine_ + z * sine_ - X_jet_; }
 
   bool exists_ = false;

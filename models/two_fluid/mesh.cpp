@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "two_fluid/hull.hpp"
+
 namespace talus::two_fluid {
 namespace {
 
@@ -17,7 +19,11 @@ grid::Rectilinear make_grid(const Parameters& par) {
 }  // namespace
 
 Mesh::Mesh(const Parameters& par)
-    : grid_(make_grid(par)), jet_(par), left_wall_(!par.box.left_open), right_wall_(!par.box.right_open) {
+    : grid_(make_grid(par)),
+      jet_(par),
+      left_wall_(!par.box.left_open),
+      right_wall_(!par.box.right_open),
+      exists_(reachable_cells(par, grid_, jet_)) {
   const int nx = grid_.n_columns(), nz = grid_.n_layers();
   if (par.inflow.rate > 0.0) {
     const double from = par.inflow.position - 0.5 * inlet_width(par.inflow), to = from + inlet_width(par.inflow);
@@ -28,14 +34,14 @@ Mesh::Mesh(const Parameters& par)
   }
   for (int i = 0; i < nx; ++i) {
     for (int k = 0; k < nz; ++k) {
-      cells_.push_back({i, k});
-      interfaces_.push_back({i, k + 1});
+      if (has_cell(i, k)) cells_.push_back({i, k});
+      if (has_interface(i, k + 1)) interfaces_.push_back({i, k + 1});
     }
   }
   for (int f = 0; f < grid_.n_faces(); ++f) {
-    base_.push_back({f, 0});
+    if (is_on_base(f, 0)) base_.push_back({f, 0});
     for (int k = 0; k < nz; ++k) {
-      faces_.push_back({f, k});
+      if (has_face(f, k)) faces_.push_back({f, k});
       if (is_amid(f, k)) corners_.push_back({f, k});
     }
     if (inlet_share(f - 1) > 0.0 || inlet_share(f) > 0.0) inlet_corners_.push_back({f, nz});

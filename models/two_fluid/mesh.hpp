@@ -14,7 +14,8 @@ struct Place {
   int i, k;
 };
 
-/// The cells, and the places at which terms act. Beyond the outermost cells, base aside, lies still air at no pressure.
+/// The cells that have unknowns, and the places at which terms act. Beyond the outermost cells, base aside, lies still air at no pressure:
+/// the edge of what grains can reach is as open as the ends of the box.
 class Mesh {
  public:
   /// Throws std::invalid_argument where the grid has no cell.
@@ -22,13 +23,18 @@ class Mesh {
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return grid_; }
   [[nodiscard]] const JetRegion& jet() const { return jet_; }
-  [[nodiscard]] bool has_cell(int i, int k) const { return grid_.has_column(i) && grid_.has_layer(k); }
+  [[nodiscard]] bool has_cell(int i, int k) const {
+    return grid_.has_column(i) && grid_.has_layer(k) && exists_[number(i, k)];
+  }
+  /// Face f of layer k, interface k > 0 of column i: beside a cell.
+  [[nodiscard]] bool has_face(int f, int k) const { return has_cell(f - 1, k) || has_cell(f, k); }
+  [[nodiscard]] bool has_interface(int i, int k) const { return k > 0 && (has_cell(i, k - 1) || has_cell(i, k)); }
   /// A corner amid four cells: shear is transmitted there.
   [[nodiscard]] bool is_amid(int f, int k) const {
     return has_cell(f - 1, k - 1) && has_cell(f, k - 1) && has_cell(f - 1, k) && has_cell(f, k);
   }
   /// A corner on the base amid two cells, or at an open end.
-  [[nodiscard]] bool is_on_base(int f, int k) const { return k == 0 && grid_.has_face(f); }
+  [[nodiscard]] bool is_on_base(int f, int k) const { return k == 0 && has_face(f, 0); }
   /// Share of the top of column i through which grains are poured [1].
   [[nodiscard]] double inlet_share(int i) const { return inlet_.empty() ? 0.0 : inlet_[grid_.column(i)]; }
   [[nodiscard]] bool is_inlet(int i, int k) const { return k == grid_.n_layers() && inlet_share(i) > 0.0; }
@@ -45,9 +51,14 @@ class Mesh {
   [[nodiscard]] const std::vector<Place>& inlet_corners() const { return inlet_corners_; }
 
  private:
+  [[nodiscard]] std::size_t number(int i, int k) const {
+    return static_cast<std::size_t>(grid_.column(i)) * grid_.n_layers() + k;
+  }
+
   grid::Rectilinear grid_;
   JetRegion jet_;
   bool left_wall_, right_wall_;
+  std::vector<bool> exists_;  ///< each cell, column by column
   std::vector<double> inlet_;
   std::vector<Place> cells_, faces_, interfaces_, corners_, base_, inlet_corners_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "experiment/experiment.hpp"
 #include "rheology/law.hpp"
@@ -23,12 +24,20 @@ struct Air {
 enum class Sharpening : std::uint8_t { none, segregation, counter_gradient };
 /// Along which the grains are parted from the air: gravity, as in (5.2), or the normal of the base.
 enum class Direction : std::uint8_t { gravity, base_normal };
-/// How phi on a face follows from the cells: first order, or second order where phi is smooth.
-enum class Transport : std::uint8_t { upwind, limited };
+/// How phi on a face follows from the cells: first order, or second order where phi is smooth, everywhere or in the jet region alone.
+enum class Transport : std::uint8_t { upwind, limited, jet };
 /// How the viscosities of grains and air make that of a mixture: (5.7), or their harmonic mean.
 enum class Averaging : std::uint8_t { arithmetic, harmonic };
 /// Inertia carried along: none, first-order upwind, second-order central.
 enum class Advection : std::uint8_t { none, upwind, central };
+
+/// Which cells of the box have unknowns.
+struct Reach {
+  bool limited = false;  ///< only those that grains can reach: the heap's hull, the jet's corridor, a margin; else all
+  std::optional<double>
+      slope;  ///< of the hull against the horizontal, the steepest that a surface gets [rad]; set where limited
+  double margin = 0.06;  ///< above the hull and beside the corridor [m]
+};
 
 /// Cells of the box: each direction in geometric progression.
 struct Grid {
@@ -43,14 +52,15 @@ struct Numerics {
   double segregation_speed = 0.1;  ///< f_ga of (5.2) [m/s]
   double counter_gradient = 1.0;   ///< c_ag of (5.8) [1]
   Direction direction = Direction::gravity;
-  Transport transport = Transport::limited;
+  Transport transport = Transport::jet;
   Averaging averaging = Averaging::arithmetic;
   Advection advection = Advection::upwind;
-  bool base_film = false;       ///< a film thinner than its cell meets the base with its own thickness
-  double upwind_speed = 1e-8;   ///< over which the giving side changes [m/s]
-  double return_speed = 0.1;    ///< at which what is out of [0, 1] goes to the neighbours; 0: it stays [m/s]
-  double x_grading = 1.0;       ///< as Grid::x_ratio
-  double z_grading = 1.0;       ///< as Grid::z_ratio
+  bool base_film = false;      ///< a film thinner than its cell meets the base with its own thickness
+  double upwind_speed = 1e-8;  ///< over which the giving side changes [m/s]
+  double return_speed = 0.1;   ///< at which what is out of [0, 1] goes to the neighbours; 0: it stays [m/s]
+  double x_grading = 1.0;      ///< as Grid::x_ratio
+  double z_grading = 1.0;      ///< as Grid::z_ratio
+  Reach reach;
   double atol_fraction = 1e-5;  ///< absolute tolerance of phi [1]
   double inlet_fraction = 0.2;  ///< phi of what is poured [1]
   double jet_margin = 0.025;    ///< of the jet region beyond the inlet's edges (5.11) [m]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "two_fluid/terms/counter_gradient.hpp"
 #include "two_fluid/terms/forces.hpp"
@@ -29,8 +30,8 @@ core::Layout make_layout(const Parameters& par, const Mesh& mesh, const Unknowns
                    {"mass", "kg", core::Kind::differential, par.atol_mass},
                    {"H", "m", core::Kind::differential, par.atol_height}};
   layout.field_of.assign(at.size(), field_u);
+  for (const auto [i, k] : mesh.interfaces()) layout.field_of[at.w(i, k)] = field_w;
   for (const auto [i, k] : mesh.cells()) {
-    layout.field_of[at.w(i, k + 1)] = field_w;
     layout.field_of[at.phi(i, k)] = field_phi;
     layout.field_of[at.p(i, k)] = field_p;
   }
@@ -85,7 +86,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
 TwoFluid::TwoFluid(Parameters parameters)
     : parameters_(std::move(parameters)),
       mesh_(parameters_),
-      unknowns_(mesh_.grid(), budgets_of(parameters_)),
+      unknowns_(mesh_, budgets_of(parameters_)),
       layout_(make_layout(parameters_, mesh_, unknowns_)),
       operator_(std::make_unique<fv::Operator<Context>>(unknowns_.size(), make_terms(parameters_, mesh_, unknowns_),
                                                         context(0.0))) {}
@@ -113,6 +114,7 @@ void TwoFluid::initial_state(double t, std::span<double> y, std::span<double> yp
   for (int i = 0; i < g.n_columns(); ++i) {
     double above = 0.0;  // pressure on the cell's upper interface
     for (int k = g.n_layers() - 1; k >= 0; --k) {
+      if (!mesh_.has_cell(i, k)) continue;
       const double phi = std::clamp((parameters_.thickness - g.z_nodes[k]) / g.dz(k), 0.0, 1.0);
       const double weight = -c.gravity_z * c.density(phi) * g.dz(k);
       y[unknowns_.phi(i, k)] = phi;
@@ -136,7 +138,7 @@ std::string TwoFluid::describe(core::Index row) const {
   if (row == at.mass_in()) return "mass poured in";
   if (row == at.mass_left()) return "mass gone over the left end";
   if (row == at.mass_right()) return "mass gone over the right end";
-  if (row == at.mass_top()) return "mass gone through the top";
+  if (row == at.mass_top()) return "mass gone through the top or the edge of the cells";
   if (row == at.heap()) return "H under the jet";
   const auto& g = mesh_.grid();
   const auto text = [&](const char* where, int i, int k, double x, double z) {
@@ -145,14 +147,13 @@ std::string TwoFluid::describe(core::Index row) const {
                   where, i, k, x, z);
     return std::string(buffer);
   };
-  const int nz = g.n_layers(), i = static_cast<int>(row / 4) / nz, k = static_cast<int>(row / 4) % nz;
-  if (i >= g.n_columns()) {
-    const int layer = static_cast<int>(row - at.u(g.n_columns(), 0));
-    return text("face, layer", g.n_columns(), layer, g.x_nodes.back(), g.z_centre(layer));
-  }
-  if (row == at.u(i, k)) return text("face, layer", i, k, g.x_nodes[i], g.z_centre(k));
-  if (row == at.w(i, k + 1)) return text("column, interface", i, k + 1, g.x_centre(i), g.z_nodes[k + 1]);
-  return text("column, layer", i, k, g.x_centre(i), g.z_centre(k));
+  for (const auto [f, k] : mesh_.faces())
+    if (row == at.u(f, k)) return text("face, layer", f, k, g.x_nodes[f], g.z_centre(k));
+  for (const auto [i, k] : mesh_.interfaces())
+    if (row == at.w(i, k)) return text("column, interface", i, k, g.x_centre(i), g.z_nodes[k]);
+  for (const auto [i, k] : mesh_.cells())
+    if (row == at.phi(i, k) || row == at.p(i, k)) return text("column, layer", i, k, g.x_centre(i), g.z_centre(k));
+  throw std::out_of_range("TwoFluid::describe: no such row");
 }
 
 std::vector<double> TwoFluid::breakpoints() const { return experiment::breakpoints(parameters_.inflow); }

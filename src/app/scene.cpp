@@ -148,6 +148,9 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   n.return_speed = v.number("two_fluid.return_speed");
   n.x_grading = v.number("two_fluid.x_grading");
   n.z_grading = v.number("two_fluid.z_grading");
+  n.reach.limited = words::meaning(words::extents, v.text("two_fluid.cells"));
+  if (v.has("two_fluid.reach_slope")) n.reach.slope = v.number("two_fluid.reach_slope") * degree;
+  n.reach.margin = v.number("two_fluid.reach_margin");
   n.atol_fraction = number_or(v, "two_fluid.atol_fraction", 0.1 * v.number("integrator.rtol"));
   n.inlet_fraction = v.number("two_fluid.inlet_fraction");
   n.jet_margin = v.number("two_fluid.jet_margin");
@@ -169,6 +172,7 @@ Integration integration_of(const Values& v) {
           .max_order = small_integer(v, "integrator.max_order"),
           .linear_solver = words::meaning(words::linear_solvers, v.text("integrator.linear_solver")),
           .newton = words::meaning(words::newtons, v.text("integrator.newton")),
+          .newton_tolerance = v.number("integrator.newton_tolerance"),
           .max_step = number_or(v, "integrator.max_step", 0.0)};
 }
 
@@ -240,6 +244,7 @@ ida::Options make_integrator_options(const Scene& scene) {
   options.max_order = scene.integration.max_order;
   options.max_step = scene.integration.max_step;
   options.newton.kind = scene.integration.newton;
+  options.newton.tolerance = scene.integration.newton_tolerance;
   options.linear.choice = scene.integration.linear_solver;
   return options;
 }

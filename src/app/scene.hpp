@@ -28,7 +28,8 @@ struct Integration {
   int max_order;         ///< 1..5
   linear::Choice linear_solver;
   ida::Newton newton;
-  double max_step;  ///< [s]; 0: no limit
+  double newton_tolerance;  ///< as ida::NewtonOptions::tolerance [1]
+  double max_step;          ///< [s]; 0: no limit
 };
 
 /// Cells of a model's grid, as far as it has such.

@@ -154,9 +154,12 @@ void numerics(Schema& s) {
   s.add(number("counter_gradient", "1", "c_ag of (5.8)").at_least(0.0).fallback(1.0));
   s.add(choice("direction", words::of(words::directions), "e of (5.13): along gravity, or normal to the base")
             .fallback(std::string("gravity")));
-  s.add(choice("transport", words::of(words::transports),
-               "volume fractions on faces: second order with a smooth limiter, or first-order upwind")
-            .fallback(std::string("limited")));
+  s.add(
+      choice(
+          "transport", words::of(words::transports),
+          "volume fractions on faces: second order with a smooth limiter, first-order upwind, or the former in the jet "
+          "region and the latter where segregation keeps grains and air apart")
+          .fallback(std::string("jet")));
   s.add(choice("averaging", words::of(words::averagings), "of the viscosities of grains and air: (5.7), or harmonic")
             .fallback(std::string("arithmetic")));
   s.add(boolean("base_film", "grains that do not fill the cells on the base lie there as a film of its own thickness")
@@ -165,6 +168,16 @@ void numerics(Schema& s) {
   s.add(number("return_speed", "m/s", "at which volume fractions out of [0, 1] are evened out; 0: not at all")
             .at_least(0.0)
             .fallback(0.1));
+  s.add(choice("cells", words::of(words::extents),
+               "which cells have unknowns: all of the box, or those that the jet or a heap can reach")
+            .fallback(std::string("box")));
+  s.add(number("reach_slope", "degree", "against the horizontal, of the steepest surface for cells = reachable")
+            .above(0.0)
+            .below(90.0)
+            .optional("that of the exact steady flow"));
+  s.add(number("reach_margin", "m", "of reachable cells above the highest heap and beside the jet")
+            .at_least(0.0)
+            .fallback(0.06));
   s.add(number("x_grading", "1", "width of the last column over that of the first").above(0.0).fallback(1.0));
   s.add(number("z_grading", "1", "height of the top layer over that of the lowest").above(0.0).fallback(1.0));
   s.add(
@@ -233,6 +246,11 @@ void numerics(Schema& s) {
   s.add(
       choice("newton", words::of(words::newtons), "damped: our full Newton iteration; stock: IDA's own, for comparison")
           .fallback(std::string("damped")));
+  s.add(number("newton_tolerance", "1",
+               "what Newton's method may leave of a correction, as a share of the step's tolerance")
+            .above(0.0)
+            .below(1.0)
+            .fallback(ida::NewtonOptions{}.tolerance));
   s.add(number("max_step", "s", "longest step").above(0.0).optional("no limit"));
 
   s.section("time", "duration");

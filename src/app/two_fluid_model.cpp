@@ -1,10 +1,19 @@
 #include "app/two_fluid_model.hpp"
 
+#include "app/theory.hpp"
+#include "steady/slope.hpp"
 #include "two_fluid/fields.hpp"
 #include "two_fluid/two_fluid.hpp"
 
 namespace talus::app {
 namespace {
+
+/// Of the highest surface that the scene's flow can have [rad].
+std::optional<double> reach_slope(const Scene& scene) {
+  if (scene.two_fluid.reach.slope || !(scene.wall.mu_w > 0.0)) return scene.two_fluid.reach.slope;
+  const auto exact = steady::slope_of_flux(channel_of(scene), scene.inflow.rate);
+  return exact ? std::optional(*exact) : std::nullopt;
+}
 
 void check(const Scene& scene, const config::Values& values, config::Problems& problems) {
   const auto refuse = [&](const char* key, const std::string& what) { problems.add(values.place(key), key, what); };
@@ -30,6 +39,13 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
       refuse("inflow.position", "the inlet, sqrt(12) inflow.width wide, leaves the top of the box");
     if (!box.left_open && !box.right_open)
       refuse("box.right", "grains that are poured must find a way out; expected an open end");
+  }
+  if (scene.two_fluid.reach.limited) {
+    if (!(scene.inflow.rate > 0.0))
+      refuse("two_fluid.cells",
+             "reachable cells are those that a jet pours grains into; expected box where nothing is poured");
+    else if (!reach_slope(scene))
+      refuse("two_fluid.cells", "no steady slope is known for this flow; expected two_fluid.reach_slope, or box");
   }
   if (scene.integration.method == Integration::Method::steady)
     refuse("integrator.method", "the two-fluid model has no steady states of its own; expected bdf");
@@ -77,6 +93,7 @@ two_fluid::Parameters make_two_fluid_parameters(const Scene& scene) {
       .atol_pressure = scene.integration.atol_pressure,
       .atol_height = scene.integration.atol_height,
       .atol_mass = scene.integration.atol_mass};
+  if (par.numerics.reach.limited) par.numerics.reach.slope = reach_slope(scene);
   par.numerics.advection = advection_of(scene.numerics.advection);
   return par;
 }

@@ -30,10 +30,13 @@ inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
      {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
 inline constexpr Table<two_fluid::Direction, 2> directions{
     {{"gravity", two_fluid::Direction::gravity}, {"base_normal", two_fluid::Direction::base_normal}}};
-inline constexpr Table<two_fluid::Transport, 2> transports{
-    {{"limited", two_fluid::Transport::limited}, {"upwind", two_fluid::Transport::upwind}}};
+inline constexpr Table<two_fluid::Transport, 3> transports{{{"limited", two_fluid::Transport::limited},
+                                                            {"upwind", two_fluid::Transport::upwind},
+                                                            {"jet", two_fluid::Transport::jet}}};
 inline constexpr Table<two_fluid::Averaging, 2> averagings{
     {{"arithmetic", two_fluid::Averaging::arithmetic}, {"harmonic", two_fluid::Averaging::harmonic}}};
+/// Whether two_fluid::Reach is limited.
+inline constexpr Table<bool, 2> extents{{{"box", false}, {"reachable", true}}};
 inline constexpr Table<linear::Choice, 5> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},

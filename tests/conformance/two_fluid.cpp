@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -34,6 +35,8 @@ struct State {
 /// The Jacobian with each switch of the model.
 TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
   for (const Settings& settings : {Settings{"two_fluid.transport=upwind"},
+                                   {"two_fluid.transport=limited"},
+                                   {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
                                    {"two_fluid.averaging=harmonic"},
                                    {"two_fluid.base_film=true"},
                                    {"two_fluid.direction=base_normal"},
@@ -56,17 +59,18 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
 }
 
 TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
-  for (const char* periodic : {"false", "true"}) {
-    auto par = heap(7, 5);
-    par.box.periodic = std::string(periodic) == "true";
-    const TwoFluid system(par);
+  for (const Settings& settings : {Settings{},
+                                   {"box.periodic=true", "inflow.rate=0"},
+                                   {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"}}) {
+    const TwoFluid system(heap(15, 9, settings));
     const auto& at = system.unknowns();
     std::vector<int> owners(system.layout().size(), 0);
     const auto own = [&](core::Index number) {
       if (number >= 0) ++owners.at(number);
     };
     for (const auto [f, k] : system.mesh().faces()) own(at.u(f, k));
-    for (const auto [i, k] : system.mesh().cells()) own(at.w(i, k + 1)), own(at.phi(i, k)), own(at.p(i, k));
+    for (const auto [i, k] : system.mesh().interfaces()) own(at.w(i, k));
+    for (const auto [i, k] : system.mesh().cells()) own(at.phi(i, k)), own(at.p(i, k));
     for (const auto number : {at.mass_in(), at.mass_left(), at.mass_right(), at.mass_top(), at.heap()}) own(number);
     for (std::size_t i = 0; i < owners.size(); ++i) EXPECT_EQ(owners[i], 1) << i;
   }
@@ -77,6 +81,7 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
   for (const Settings& settings : {Settings{},
                                    {"two_fluid.transport=upwind"},
                                    {"two_fluid.sharpening=counter_gradient"},
+                                   {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
                                    {"two_fluid.z_grading=4"}}) {
     const TwoFluid system(heap(20, 12, settings));
     State state(system, 5);
@@ -90,8 +95,11 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
       volume += state.r[at.continuity(i, k)];
       size += std::abs(state.r[at.phi(i, k)]);
     }
-    for (int k = 0; k < g.n_layers(); ++k) volume -= g.dz(k) * (state.y[at.u(g.n_columns(), k)] - state.y[at.u(0, k)]);
-    for (int i = 0; i < g.n_columns(); ++i) volume -= g.dx(i) * state.y[at.w(i, g.n_layers())];
+    const auto& mesh = system.mesh();
+    for (const auto [f, k] : mesh.faces())
+      volume -= g.dz(k) * state.y[at.u(f, k)] * (int(mesh.has_cell(f - 1, k)) - int(mesh.has_cell(f, k)));
+    for (const auto [i, k] : mesh.interfaces())
+      volume -= g.dx(i) * state.y[at.w(i, k)] * (int(mesh.has_cell(i, k - 1)) - int(mesh.has_cell(i, k)));
     const double across = system.parameters().grains.rho() * system.parameters().box.gap;
     grains *= across;
     grains -= state.r[at.mass_in()];
@@ -141,9 +149,52 @@ TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
     EXPECT_LT(std::abs(r[i]), system.layout().field(i).name == "phi" ? leak : 1e-12) << system.describe(i);
 }
 
-/// Left and right are alike: box, state and residual in the mirror.
-TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
-  auto par = heap(11, 7, {"two_fluid.x_grading=2"});
+/// A heap under the steepest surface, the jet and the inlet lie in the cells that exist; far air does not. With a wide margin all cells exist.
+TEST(TwoFluid, ReachableCellsHoldTheHeapAndTheJet) {
+  const auto reachable = [](const char* margin) {
+    return heap(60, 30, {"two_fluid.cells=reachable", std::string("two_fluid.reach_margin=") + margin});
+  };
+  const auto par = reachable("0.02");
+  const TwoFluid system(par);
+  const auto& mesh = system.mesh();
+  const auto& g = mesh.grid();
+  EXPECT_NEAR(*par.numerics.reach.slope, 48.8126 * std::numbers::pi / 180.0, 1e-5);
+  const double rise = std::tan(*par.numerics.reach.slope - par.box.tilt);
+  int missing = 0;
+  for (int i = 0; i < g.n_columns(); ++i) {
+    for (int k = 0; k < g.n_layers(); ++k) {
+      const double x = g.x_centre(i), z = g.z_centre(k),
+                   jet = par.inflow.position + (par.box.height - z) * std::tan(par.box.tilt);
+      const bool in_heap = x > jet && z < (par.box.length - x) * rise, in_jet = std::abs(x - jet) < 0.02;
+      const bool far = x > jet + 0.1 && z > (par.box.length - x) * rise + 0.04;
+      EXPECT_TRUE(mesh.has_cell(i, k) || !(in_heap || in_jet)) << x << ' ' << z;
+      EXPECT_FALSE(mesh.has_cell(i, k) && far) << x << ' ' << z;
+      if (!mesh.has_cell(i, k)) ++missing;
+    }
+  }
+  EXPECT_GT(missing, 700);
+  EXPECT_EQ(TwoFluid(reachable("1")).mesh().cells().size(), 1800U);
+}
+
+/// Transport by the jet's rule is first order without a jet, and second order where all is jet.
+TEST(TwoFluid, TransportIsOfSecondOrderInTheJetRegionAlone) {
+  const auto residual = [](const char* transport, Settings settings) {
+    settings.push_back(std::string("two_fluid.transport=") + transport);
+    const TwoFluid system(heap(12, 9, settings));
+    State state(system, 6);
+    if (system.unknowns().heap() >= 0) state.y[system.unknowns().heap()] = -10.0;
+    system.residual(0.1, state.y, state.yp, state.r);
+    return state.r;
+  };
+  const Settings no_jet{"inflow.rate=0"}, all_jet{"two_fluid.jet_margin=10"};
+  EXPECT_EQ(residual("jet", no_jet), residual("upwind", no_jet));
+  EXPECT_EQ(residual("jet", all_jet), residual("limited", all_jet));
+  EXPECT_NE(residual("jet", all_jet), residual("upwind", all_jet));
+}
+
+/// Left and right are alike: box, cells, state and residual in the mirror.
+void mirror_box(const Settings& settings) {
+  auto par = heap(11, 7, settings);
   const TwoFluid system(par);
   par.box.tilt *= -1.0;
   par.inflow.position = par.box.length - par.inflow.position;
@@ -160,8 +211,8 @@ TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
   };
   const int nx = 11;
   for (const auto [f, k] : system.mesh().faces()) move(a.u(f, k), b.u(nx - f, k), -1.0, -1.0);
+  for (const auto [i, k] : system.mesh().interfaces()) move(a.w(i, k), b.w(nx - 1 - i, k), 1.0, 1.0);
   for (const auto [i, k] : system.mesh().cells()) {
-    move(a.w(i, k + 1), b.w(nx - 1 - i, k + 1), 1.0, 1.0);
     move(a.phi(i, k), b.phi(nx - 1 - i, k), 1.0, 1.0);
     move(a.p(i, k), b.p(nx - 1 - i, k), 1.0, 1.0);
   }
@@ -173,6 +224,11 @@ TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
   for (const double value : expected) largest = std::max(largest, std::abs(value));
   for (core::Index i = 0; i < mirror.layout().size(); ++i)
     EXPECT_NEAR(r[i], expected[i], 1e-12 * largest) << mirror.describe(i);
+}
+
+TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
+  mirror_box({"two_fluid.x_grading=2"});
+  mirror_box({"two_fluid.cells=reachable", "two_fluid.reach_margin=0"});
 }
 
 /// However the inlet falls on the columns, what is poured is what the scene says.

@@ -49,7 +49,7 @@ inline app::Scene rescaled(app::Scene scene, const Units& units) {
   grow(L, scene.box.length, scene.box.height, scene.box.gap, scene.grains.d, in.position, in.width, scene.numerics.film,
        scene.initial.thickness, scene.cells.cluster_depth, by.atol_height);
   auto& two = scene.two_fluid;
-  grow(L, two.jet_margin, two.jet_clearance);
+  grow(L, two.jet_margin, two.jet_clearance, two.reach.margin);
   grow(L / T, two.segregation_speed, two.upwind_speed, two.return_speed);
   grow(M / (L * L * L), two.air.rho);
   grow(M / (L * T), two.air.eta, two.air.drag_viscosity);

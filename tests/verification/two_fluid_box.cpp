@@ -91,6 +91,28 @@ TEST(TwoFluidBox, FlowsAsTheExactSolutionInFigures20And21) {
     }
 }
 
+/// What each regularisation costs, 41 degrees: the flux error falls with the cap as 1/eta_max down to what the others leave; neither the
+/// speed of segregation, where the phases are parted already, nor the viscosity of air that is carried along matters.
+TEST(TwoFluidBox, ErrorsFollowTheRegularisations) {
+  tests::Table table("two_fluid_box_regularisations", {"eta_max [Pa s]", "f_ga [m/s]", "air viscosity [Pa s]",
+                                                       "flux error [%]", "L2 of u [%]", "steps", "factorisations"});
+  const auto error = [&](double eta_max, double f_ga, double air) {
+    const Box box(41, 0.04, 105,
+                  {"rheology.eta_max=" + std::to_string(eta_max), "two_fluid.segregation_speed=" + std::to_string(f_ga),
+                   "two_fluid.air_viscosity=" + std::to_string(air)});
+    const auto e = errors(box);
+    table.row({eta_max, f_ga, air, 100.0 * e.flux, 100.0 * e.L2, double(box.steps), double(box.factorisations)});
+    return e.flux;
+  };
+  const double reference = error(1e6, 0.1, 1e-4), capped = error(1e3, 0.1, 1e-4) - reference;
+  EXPECT_GT(std::abs(capped), 1e-3);
+  EXPECT_LT(std::abs(error(1e4, 0.1, 1e-4) - reference), 0.2 * std::abs(capped));
+  error(1e2, 0.1, 1e-4);
+  error(1e8, 0.1, 1e-4);
+  for (const double f_ga : {0.01, 0.3, 1.0}) EXPECT_NEAR(error(1e6, f_ga, 1e-4), reference, 1e-5) << f_ga;
+  for (const double air : {1e-3, 1e-2, 1e-1}) EXPECT_NEAR(error(1e6, 0.1, air), reference, 1e-4) << air;
+}
+
 /// The surface between two cells (100 in 105), and within one (100 in all).
 TEST(TwoFluidBox, ConvergesWithTheCellsInDepth) {
   tests::Table table("two_fluid_box_order", {"layers", "flux error [%]", "L2 of u [%]"});

@@ -63,7 +63,7 @@ struct CounterGradientUp : Kernel {
     in = {at->w(i, k),           at->u(i, k - 1),   at->u(i + 1, k - 1), at->u(i, k),
           at->u(i + 1, k),       at->phi(i, k - 1), at->phi(i, k),       at->phi(i - 1, k - 1),
           at->phi(i + 1, k - 1), at->phi(i - 1, k), at->phi(i + 1, k)};
-    const bool inside = mesh->has_cell(i, k);
+    const bool inside = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k);
     out = {inside ? at->phi(i, k - 1) : -1, inside ? at->phi(i, k) : -1};
   }
   template <class S>

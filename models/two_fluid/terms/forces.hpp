@@ -106,7 +106,7 @@ struct WallFrictionUp : Kernel {
   template <class S>
   void evaluate(const Context& c, Index number, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const auto [i, k] = place(number);
-    const double share = mesh->has_cell(i, k) ? 0.25 : 0.5;
+    const double share = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k) ? 0.25 : 0.5;
     const S u = share * (in.y[u_] + in.y[u_ + 1] + in.y[u_ + 2] + in.y[u_ + 3]);
     const S omega = mesh->jet().omega(grid().x_centre(i), grid().z_nodes[k], in.y[heap_]);
     out[0] += wall_drag(c, half_cell(i, k - 1), half_cell(i, k), in.y[w_], u, &in.y[phi_], &in.y[p_], omega);

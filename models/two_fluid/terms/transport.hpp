@@ -6,7 +6,7 @@
 
 namespace talus::two_fluid {
 
-/// Incompressibility (5.4) and transport of the grains (5.13) through the faces of columns, and what leaves over the ends.
+/// Incompressibility (5.4) and transport of the grains (5.13) through the faces of columns, and what leaves over the ends and edges.
 struct TransportAlong : Kernel {
   static constexpr int n_in = 6, n_out = 5;
   enum In { u_, phi_, heap_ = 5 };
@@ -14,7 +14,8 @@ struct TransportAlong : Kernel {
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
     in = {at->u(f, k), at->phi(f - 2, k), at->phi(f - 1, k), at->phi(f, k), at->phi(f + 1, k), heap_at_face(f, k)};
-    const Index budget = !mesh->has_cell(f - 1, k) ? at->mass_left() : (!mesh->has_cell(f, k) ? at->mass_right() : -1);
+    const bool inside = mesh->has_cell(f - 1, k) && mesh->has_cell(f, k), end = grid().is_end(f);
+    const Index budget = inside ? -1 : (!end ? at->mass_top() : (f == 0 ? at->mass_left() : at->mass_right()));
     out = {at->continuity(f - 1, k), at->continuity(f, k), at->phi(f - 1, k), at->phi(f, k), budget};
   }
   template <class S>
@@ -32,7 +33,7 @@ struct TransportAlong : Kernel {
   }
 };
 
-/// The same through the interfaces of layers, the top of the box included: what is poured in, and what leaves there.
+/// The same through the interfaces of layers, the top of the box and edges of the cells included: what is poured in, and what leaves there.
 struct TransportUp : Kernel {
   static constexpr int n_in = 6, n_out = 5;
   enum In { w_, phi_, heap_ = 5 };
@@ -40,7 +41,8 @@ struct TransportUp : Kernel {
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
     in = {at->w(i, k), at->phi(i, k - 2), at->phi(i, k - 1), at->phi(i, k), at->phi(i, k + 1), heap_at_interface(i, k)};
-    const Index budget = mesh->has_cell(i, k) ? -1 : (mesh->is_inlet(i, k) ? at->mass_in() : at->mass_top());
+    const bool inside = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k);
+    const Index budget = inside ? -1 : (mesh->is_inlet(i, k) ? at->mass_in() : at->mass_top());
     out = {at->continuity(i, k - 1), at->continuity(i, k), at->phi(i, k - 1), at->phi(i, k), budget};
   }
   template <class S>
@@ -53,7 +55,7 @@ struct TransportUp : Kernel {
     out[1] -= volume;
     out[2] += grains;
     out[3] -= grains;
-    const double counted = mesh->is_inlet(i, k) ? -1.0 : 1.0;
+    const double counted = mesh->is_inlet(i, k) || mesh->has_cell(i, k) ? -1.0 : 1.0;  // inwards or outwards
     out[4] -= (counted * c.grains_across()) * grains;
   }
 };
