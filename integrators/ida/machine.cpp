@@ -36,7 +36,6 @@ const Options& checked(const Options& options) {
   require(options.max_order >= 1 && options.max_order <= 5, "ida::Options: max_order must be 1 to 5");
   require(options.initial_step >= 0.0 && options.max_step >= 0.0 && options.min_step >= 0.0,
           "ida::Options: steps must not be negative");
-  require(options.least_growth > 1.0, "ida::Options: least_growth must be above 1");
   require(options.start_step > 0.0, "ida::Options: start_step must be positive");
   require(options.newton.tolerance > 0.0, "ida::Options: newton.tolerance must be positive");
   require(options.max_failures_in_a_row > 0, "ida::Options: max_failures_in_a_row must be positive");
@@ -80,7 +79,6 @@ Ida::Machine::Machine(const core::DaeSystem& system, const Options& wanted)
   must(IDASetSuppressAlg(ida, options.suppress_algebraic ? SUNTRUE : SUNFALSE), "IDASetSuppressAlg");
   must(IDASetMaxOrd(ida, options.max_order), "IDASetMaxOrd");
   must(IDASetInitStep(ida, options.initial_step), "IDASetInitStep");
-  must(IDASetEtaFixedStepBounds(ida, 1.0, options.least_growth), "IDASetEtaFixedStepBounds");
   must(IDASetMinStep(ida, options.min_step), "IDASetMinStep");
   if (options.max_step > 0.0) must(IDASetMaxStep(ida, options.max_step), "IDASetMaxStep");
   must(IDASetMaxNumSteps(ida, -1), "IDASetMaxNumSteps");

@@ -26,7 +26,6 @@ struct Options {
   double rtol = 1e-4;              ///< relative tolerance of the error test
   int max_order = 5;               ///< of the backward differentiation formula, 1 to 5
   double initial_step = 0.0;       ///< [s]; 0: IDA's choice
-  double least_growth = 1.2;       ///< factor by which a step could be longer, below which it stays as it is
   double max_step = 0.0;           ///< [s]; 0: none
   double min_step = 1e-12;         ///< [s]; a step that must be cut below ends the run
   bool suppress_algebraic = true;  ///< leave algebraic unknowns out of the error test (index 2 needs it)
