@@ -65,6 +65,27 @@ TEST(StudyConverge, FindsOrderAndLimitOfBagnoldsFlow) {
   EXPECT_EQ(verdict_in(out)["numbers"]["flow_per_width"]["orders"].size(), 3U);
 }
 
+/// Records of a steady state that is the end's are no further numbers; that of a box that has moved since is one.
+TEST(StudyConverge, ASteadyStateIsToldOnce) {
+  const support::TemporaryFolder folder;
+  const auto numbers_of = [&](const std::string& name, const std::vector<std::string>& more) {
+    auto words = bagnold(folder / name, {"--levels", "2", "--set", "output.times=[0.5, 1.5]"});
+    words.insert(words.end(), more.begin(), more.end());
+    const auto run = support::outcome_of(TALUS_PROGRAM, words);
+    EXPECT_EQ(run.code, 0) << run.output;
+    return verdict_in(folder / name)["numbers"];
+  };
+  const auto still = numbers_of("still", {});
+  EXPECT_TRUE(still.contains("flow_per_width"));
+  EXPECT_FALSE(still.contains("flow_per_width@0.5"));
+  EXPECT_FALSE(still.contains("flow_per_width@1.5"));
+  const auto turned =
+      numbers_of("turned", {"--set", "schedule.times=[0.0, 1.0]", "--set", "schedule.tilt=[30.0, 28.0]"});
+  EXPECT_FALSE(turned.contains("flow_per_width@1.5"));
+  ASSERT_TRUE(turned.contains("flow_per_width@0.5"));
+  EXPECT_GT(turned["flow_per_width@0.5"]["values"][0], turned["flow_per_width"]["values"][0]);
+}
+
 TEST(StudyConverge, TwoLevelsGiveNoOrder) {
   const support::TemporaryFolder folder;
   const auto run = support::outcome_of(TALUS_PROGRAM, bagnold(folder / "study", {"--levels", "2"}));
