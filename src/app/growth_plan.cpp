@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <future>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <thread>
 
 #include "app/refinement.hpp"
+#include "app/side_by_side.hpp"
 #include "app/steady_layer.hpp"
 #include "app/table.hpp"
 #include "core/errors.hpp"
@@ -25,10 +24,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double share = 1e-4;      // of the fastest speed: root mean square of a disturbance on the coarsest grid
+constexpr double share = 1e-6;      // of the fastest speed: root mean square of a disturbance on the coarsest grid
 constexpr double mode_times = 6.0;  // to run
-constexpr int steps_a_time = 25;    // and records
-constexpr int ring = 9;             // columns that tell plane waves apart
+// But no longer than so many times of the grid's fastest wave of all: round-off in it then overtakes the disturbance.
+constexpr double most_times = 10.0;
+constexpr int steps_a_time = 25;  // and records
+constexpr int ring = 9;           // columns that tell plane waves apart
 
 /// The shortest wave that has a phase: longer than two columns.
 int shortest_wave(const Scene& scene) { return (scene.cells.columns - 1) / 2; }
@@ -45,14 +46,9 @@ std::vector<double> sought_rates(const Scene& scene, int jobs) {
   const SteadyLayer steady(scene, ring);
   const modes::PlaneWaves waves(steady.layer(), 0.0, steady.state(), ring);
   std::vector<double> rates(shortest_wave(scene), none);
-  const auto n = static_cast<std::size_t>(jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::future<void>> workers;
-  for (std::size_t first = 0; first < n; ++first)
-    workers.push_back(std::async(std::launch::async, [&, first] {
-      for (std::size_t i = first; i < rates.size(); i += n)
-        rates[i] = rate_of(waves, 2.0 * std::numbers::pi * static_cast<double>(i + 1) / scene.cells.columns);
-    }));
-  for (auto& worker : workers) worker.get();
+  side_by_side(rates.size(), jobs, [&](std::size_t i) {
+    rates[i] = rate_of(waves, 2.0 * std::numbers::pi * static_cast<double>(i + 1) / scene.cells.columns);
+  });
   return rates;
 }
 
@@ -63,7 +59,10 @@ GrowthMember member(const Scene& scene, const std::string& name, layer::Disturba
   if (!(std::abs(fastest) > 0.0))
     throw core::IntegrationError(fmt::format("study wellposed: no mode was found for {} on {}x{} cells", name,
                                              scene.cells.columns, scene.cells.layers));
-  return {name, scene.cells.columns, scene.cells.layers, disturbance, fastest, rounded(mode_times / std::abs(fastest))};
+  double duration = mode_times / std::abs(fastest), of_all = none;
+  for (const double rate : rates) of_all = std::fmax(of_all, rate);
+  if (of_all > 0.0) duration = std::min(duration, most_times / of_all);
+  return {name, scene.cells.columns, scene.cells.layers, disturbance, fastest, rounded(duration)};
 }
 
 template <class Value>
@@ -115,7 +114,8 @@ std::vector<GrowthMember> growth_members(const GrowthRequest& request) {
   const double rms = share * std::ranges::max(speeds);
   const std::uint64_t seed = scene.initial.disturbance ? scene.initial.disturbance->seed : 1;
   // Each wave and profile has a root mean square of half its amplitude.
-  const double each = rounded(2.0 * rms / std::sqrt(double(most) * scene.cells.layers)), alone = rounded(2.0 * rms);
+  const double alone = rounded(2.0 * rms / std::sqrt(double(scene.cells.layers))),
+               each = rounded(2.0 * rms / std::sqrt(double(most) * scene.cells.layers));
   std::vector<GrowthMember> members;
   for (int level = 0; level < request.levels; ++level) {
     const Scene grid = refined(scene, level);
@@ -123,7 +123,8 @@ std::vector<GrowthMember> growth_members(const GrowthRequest& request) {
     members.push_back(member(grid, "noise", {each, 1, most, scene.cells.layers, seed}, rates));
     members.push_back(member(grid, "grid noise", {each, 1, shortest_wave(grid), grid.cells.layers, seed}, rates));
     for (const int wave : request.waves)
-      members.push_back(member(grid, fmt::format("wave {}", wave), {alone, wave, wave, 1, seed}, rates));
+      members.push_back(
+          member(grid, fmt::format("wave {}", wave), {alone, wave, wave, scene.cells.layers, seed}, rates));
   }
   return members;
 }
@@ -135,21 +136,22 @@ sweep::Dimension dimension_of(const std::vector<GrowthMember>& members, const Sc
   const auto& its = scene.integration;
   const auto interval = [](const M& m) { return rounded(m.duration / (mode_times * steps_a_time)); };
   sweep::Dimension runs{"growth_run", {}};
-  runs.axes = {axis(members, "grid.columns", [](const M& m) { return Integer(m.columns); }),
-               axis(members, "grid.layers", [](const M& m) { return Integer(m.layers); }),
-               axis(members, "disturbance.first_wave", [](const M& m) { return Integer(m.disturbance.first_wave); }),
-               axis(members, "disturbance.last_wave", [](const M& m) { return Integer(m.disturbance.last_wave); }),
-               axis(members, "disturbance.profiles", [](const M& m) { return Integer(m.disturbance.profiles); }),
-               axis(members, "disturbance.speed", [](const M& m) { return m.disturbance.speed; }),
-               axis(members, "disturbance.seed", [](const M& m) { return Integer(m.disturbance.seed); }),
-               axis(members, "initial.state", constant(std::string("steady"))),
-               axis(members, "time.end", [](const M& m) { return m.duration; }),
-               axis(members, "output.series_interval", interval), axis(members, "integrator.max_step", interval),
-               // Far below the disturbance, which the steps resolve by their length alone.
-               axis(members, "integrator.rtol", constant(std::min(its.rtol, 1e-7))),
-               axis(members, "integrator.atol_velocity", constant(std::min(its.atol_velocity, 1e-9))),
-               axis(members, "integrator.atol_pressure", constant(std::min(its.atol_pressure, 1e-5))),
-               axis(members, "integrator.atol_height", constant(std::min(its.atol_height, 1e-10)))};
+  runs.axes = {
+      axis(members, "grid.columns", [](const M& m) { return Integer(m.columns); }),
+      axis(members, "grid.layers", [](const M& m) { return Integer(m.layers); }),
+      axis(members, "disturbance.first_wave", [](const M& m) { return Integer(m.disturbance.first_wave); }),
+      axis(members, "disturbance.last_wave", [](const M& m) { return Integer(m.disturbance.last_wave); }),
+      axis(members, "disturbance.profiles", [](const M& m) { return Integer(m.disturbance.profiles); }),
+      axis(members, "disturbance.speed", [](const M& m) { return m.disturbance.speed; }),
+      axis(members, "disturbance.seed", [](const M& m) { return Integer(m.disturbance.seed); }),
+      axis(members, "initial.state", constant(std::string("steady"))),
+      axis(members, "time.end", [](const M& m) { return m.duration; }),
+      axis(members, "output.series_interval", interval), axis(members, "integrator.max_step", interval),
+      // Far below the disturbance, which the steps resolve by their length alone: what the solver leaves seeds other waves.
+      axis(members, "integrator.rtol", constant(std::min(its.rtol, 1e-9))),
+      axis(members, "integrator.atol_velocity", constant(std::min(its.atol_velocity, 1e-11))),
+      axis(members, "integrator.atol_pressure", constant(std::min(its.atol_pressure, 1e-7))),
+      axis(members, "integrator.atol_height", constant(std::min(its.atol_height, 1e-12)))};
   for (const auto& m : members) runs.labels.push_back(fmt::format("{} on {}x{} cells", m.name, m.columns, m.layers));
   return runs;
 }

@@ -29,13 +29,16 @@ std::string words_of(const study::GrowthVerdict& verdict, const GrowthMember& fi
 
 std::string words_of(const GrowthRun& run) {
   const double length = 1e3;  // mm
-  std::string out = fmt::format("{}: {:.4g} +- {:.2g} 1/s (its modes {:.4g})", grid_of(run.member), run.fit.rate,
-                                run.fit.uncertainty, run.member.predicted);
+  const std::string rate = std::isfinite(run.fit.rate)
+                               ? fmt::format("{:.4g} +- {:.2g} 1/s", run.fit.rate, run.fit.uncertainty)
+                               : "no rate, for want of time";
+  std::string out = fmt::format("{}: {} (its modes {:.4g})", grid_of(run.member), rate, run.member.predicted);
   if (!run.end.empty())
     out += fmt::format(", broke down at t = {:.3g} s, strongest {} waves in the box, at x = {:.3g} mm, z = {:.3g} mm",
                        run.reached, run.wave, length * run.x, length * run.z);
   else if (std::isfinite(run.taken_over))
-    out += fmt::format(", until t = {:.3g} s, then {} waves in the box are strongest", run.taken_over, run.wave);
+    out += fmt::format(", until others take over at t = {:.3g} s, at the end those of {} in the box", run.taken_over,
+                       run.wave);
   return out;
 }
 

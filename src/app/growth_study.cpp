@@ -24,6 +24,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double fitted_share = 0.5;  // the last part of what is fitted
 constexpr double most_others = 0.1;   // of the disturbed waves' amplitude
 constexpr double most_speed = 0.1;    // of the fastest speed
+constexpr double least_window = 1.0;  // in times of the mode: a shorter one sees what goes before it
 const std::vector<std::string> series{"disturbance_speed", "other_waves_speed"};
 
 SweepPlan plan_of(const GrowthRequest& request, const sweep::Dimension& runs) {
@@ -84,6 +85,8 @@ GrowthRun run_of(const GrowthMember& member, const std::filesystem::path& folder
   if (n < run.times.size()) run.taken_over = run.times[n];
   const double to = n > 0 ? run.times[n - 1] : 0.0;
   run.fit = study::fit_growth(run.times, run.amplitudes, (1.0 - fitted_share) * to, to);
+  if (std::abs(member.predicted) * (run.fit.to - run.fit.from) < least_window)
+    run.fit.rate = run.fit.uncertainty = none;
   if (run.times.empty()) return run;
   run.reached = run.times.back();
   look_at_the_end(folder / "run.nc", run);

@@ -16,11 +16,12 @@ struct GrowthRun {
   std::vector<double> amplitudes, others;  ///< root mean square of the disturbed waves, and of all others [m/s]
   double
       taken_over;  ///< when the fit ended early: the disturbance was no longer small, or no longer the disturbed waves' [s]; NaN: never
-  study::GrowthFit fit;  ///< over the last half of what there is before
-  std::string end;       ///< why it broke down; "" where it did not
-  double reached;        ///< [s]
-  int wave;              ///< strongest at the end, in whole waves over the box; 0: none
-  double x, z;           ///< where u departed most from its mean along x at the end [m]
+  study::GrowthFit
+      fit;  ///< over the last half of what there is before; no rate where that is shorter than the time of the mode
+  std::string end;  ///< why it broke down; "" where it did not
+  double reached;   ///< [s]
+  int wave;         ///< strongest at the end, in whole waves over the box; 0: none
+  double x, z;      ///< where u departed most from its mean along x at the end [m]
 };
 
 /// One disturbance on refined grids.
@@ -45,10 +46,10 @@ struct GrowthStudy {
       verdict;  ///< of the grid noise; cannot_tell where that decays on every grid though hidden growth is known
 };
 
-/// Disturbs the scene's steady layer by one function of x and z, of 1e-4 of its fastest speed, and integrates the full equations (IDA, steps
-/// of a twenty-fifth of the fastest disturbed mode's time) for six times of that mode. The members are those of a sweep in the request's folder, so the study
-/// resumes. A run that fails is a result. Nothing where a signal ended it. Throws core::ConfigError as SteadyLayer does, core::OutputError where the folder holds
-/// another study.
+/// Disturbs the scene's steady layer by one function of x and z, of 1e-6 of its fastest speed, and integrates the full equations (IDA, steps
+/// of a twenty-fifth of the fastest disturbed mode's time) for six times of that mode, but at most ten of the grid's fastest: round-off in it then
+/// takes over. The members are those of a sweep in the request's folder, so the study resumes. A run that fails is a result. Nothing where a
+/// signal ended it. Throws core::ConfigError as SteadyLayer does, core::OutputError where the folder holds another study.
 std::optional<GrowthStudy> growth_study(const GrowthRequest& request);
 
 }  // namespace talus::app

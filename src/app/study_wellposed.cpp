@@ -48,7 +48,7 @@ std::vector<double> inertial_numbers(const std::string& list) {
 }
 
 void symbol_part(const WellposedRequest& request, const Scene& scene, Result& result) {
-  const auto study = symbol_study(scene, inertial_numbers(request.I), sizes_up_to(request.most_cells));
+  const auto study = symbol_study(scene, inertial_numbers(request.I), sizes_up_to(request.most_cells), request.jobs);
   add_to(result.table, study);
   result.json["symbol"] = json_of(study);
   const auto theory = theory_of(scene);

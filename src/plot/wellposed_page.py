@@ -10,7 +10,7 @@ import look
 
 
 def filled(variable):
-    return np.ma.filled(np.ma.masked_invalid(variable[:]), np.nan).astype(float)
+    return np.ma.filled(np.ma.masked_invalid(np.ma.asarray(variable[:], dtype=float)), np.nan)
 
 
 def bounds(axes, data):
@@ -171,7 +171,7 @@ def rates(axes, data, number):
     axes.set_xscale("log", base=2)
     axes.set_xticks(layers[0], [f"{c:.0f}x{n:.0f}" for c, n in zip(filled(data["growth_columns"])[0], layers[0])])
     axes.axhline(0.0, color=look.FAINT, linewidth=0.8)
-    axes.set_yscale("symlog", linthresh=max(1.0, 0.03 * np.nanmax(np.abs(filled(data["growth_predicted"])))))
+    axes.set_yscale("symlog", linthresh=10.0 ** np.ceil(np.log10(0.01 * np.nanmax(np.abs(filled(data["growth_predicted"]))))))
     axes.set_xlabel("cells")
     axes.set_ylabel("growth rate [1/s]")
     axes.legend(loc="best", fontsize=8, frameon=True)

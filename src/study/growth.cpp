@@ -98,7 +98,7 @@ GrowthVerdict growth_verdict(std::span<const GrowthFit> rates, double ratio) {
     verdict.tendency = GrowthTendency::not_convergent;
   } else {
     const auto growing = std::ranges::find_if_not(rates.rbegin(), rates.rend(), grows) - rates.rbegin();
-    verdict.finer = std::max(1, static_cast<int>(fewest_grids) - static_cast<int>(growing));
+    verdict.finer = growing == 0 ? 1 : std::max(1, static_cast<int>(fewest_grids) - static_cast<int>(growing));
   }
   return verdict;
 }

@@ -17,13 +17,13 @@ constexpr double degree = 0.017453292519943295;
 
 /// A Bagnold layer of 12 mm at 30 degrees, by KINSOL.
 std::vector<std::string> bagnold(const std::filesystem::path& out, const std::vector<std::string>& more,
-                                 const std::string& layers = "10") {
+                                 const std::string& layers = "10", const std::string& times = "[]") {
   std::vector<std::string> words{"study", "converge", TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml", "--out",
                                  out.string()};
   for (const char* set : {"model.name=column", "integrator.method=steady", "wall.mu_w=0", "box.tilt=30",
-                          "rheology.p_0=0", "rheology.eta_max=1e9", "grid.spacing=uniform", "output.times=[]"})
+                          "rheology.p_0=0", "rheology.eta_max=1e9", "grid.spacing=uniform"})
     words.insert(words.end(), {"--set", set});
-  words.insert(words.end(), {"--set", "grid.layers=" + layers});
+  words.insert(words.end(), {"--set", "grid.layers=" + layers, "--set", "output.times=" + times});
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -69,7 +69,7 @@ TEST(StudyConverge, FindsOrderAndLimitOfBagnoldsFlow) {
 TEST(StudyConverge, ASteadyStateIsToldOnce) {
   const support::TemporaryFolder folder;
   const auto numbers_of = [&](const std::string& name, const std::vector<std::string>& more) {
-    auto words = bagnold(folder / name, {"--levels", "2", "--set", "output.times=[0.5, 1.5]"});
+    auto words = bagnold(folder / name, {"--levels", "2"}, "10", "[0.5, 1.5]");
     words.insert(words.end(), more.begin(), more.end());
     const auto run = support::outcome_of(TALUS_PROGRAM, words);
     EXPECT_EQ(run.code, 0) << run.output;
