@@ -143,8 +143,10 @@ def courses(axes, data, number, row):
         axes.plot(at("time") * unit, at("amplitude"), color=colour, linewidth=1.0, alpha=0.5)
         axes.plot(at("time") * unit, at("others"), color=colour, linewidth=0.8, linestyle=":")
         inside = (at("time") >= at("from")) & (at("time") <= at("to"))
-        axes.plot(at("time")[inside] * unit, at("amplitude")[inside], color=colour, linewidth=2.0,
-                  label=f"{at('columns'):.0f}x{at('layers'):.0f}: {at('rate'):.4g} 1/s, modes {at('predicted'):.4g}")
+        fitted = np.isfinite(at("rate"))
+        rate = f"{at('rate'):.4g} 1/s" if fitted else "no rate"
+        axes.plot(at("time")[inside] * unit, at("amplitude")[inside], color=colour, linewidth=2.0 if fitted else 1.0,
+                  label=f"{at('columns'):.0f}x{at('layers'):.0f}: {rate}, modes {at('predicted'):.4g}")
     axes.set_yscale("log")
     # Waves that nothing disturbed begin at zero.
     amplitude = filled(data["growth_amplitude"])[row]

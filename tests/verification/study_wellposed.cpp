@@ -120,12 +120,12 @@ Study disturbed(const support::TemporaryFolder& folder, const std::string& law, 
                                  levels,
                                  "--single",
                                  "1"};
-  for (const std::string set :
-       {"wall.mu_w=0", "box.length=0.1", "model.initial_thickness=0.01", "grid.layers=12", "grid.columns=8",
-        "grid.spacing=uniform", "rheology.p_0=0", "rheology.eta_max=1e8", "model.advection=central"})
+  for (const std::string& set :
+       {std::string("wall.mu_w=0"), std::string("box.length=0.1"), std::string("model.initial_thickness=0.01"),
+        std::string("grid.spacing=uniform"), std::string("rheology.p_0=0"), std::string("rheology.eta_max=1e8"),
+        std::string("model.advection=central"), "rheology.law=" + law, "box.tilt=" + angle, "grid.columns=" + columns,
+        "grid.layers=" + layers})
     words.insert(words.end(), {"--set", set});
-  words.insert(words.end(), {"--set", "rheology.law=" + law, "--set", "box.tilt=" + angle});
-  words.insert(words.end(), more.begin(), more.end());
   Study result{support::outcome_of(TALUS_PROGRAM, words), {}};
   const auto text = support::contents(folder / law / "verdict.json");
   if (!text.empty()) result.verdict = Json::parse(text);
