@@ -33,7 +33,7 @@ def growth_map(figure, axes, data):
     axes.set_xlabel("inertial number I")
     axes.set_ylabel("cells a side")
     bounds(axes, data)
-    axes.legend(loc="upper center", ncols=2, frameon=True)
+    axes.legend(loc="lower left", frameon=True)
     figure.colorbar(mesh, ax=axes, label="fastest growth over the shear rate")
     look.label(axes, 0, "the layer's operator: red grows, blue decays")
 
