@@ -77,7 +77,7 @@ Entry flow_class_profile() {
   auto entry =
       profile("wellposed_class", "1", "", [](const LayerState& s) { return static_cast<double>(s.flow_class); });
   entry.variable.long_name = "what becomes of short waves: " + diagnostics::flow_class_legend();
-  entry.variable.attributes["flag_meanings"] = diagnostics::flow_class_flags();
+  entry.variable.flags = diagnostics::flow_class_flags();
   return entry;
 }
 

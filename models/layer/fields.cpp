@@ -28,6 +28,7 @@ struct View {
   diagnostics::Apex apex;
   double roughness;
   diagnostics::FlowShares shares;
+  WaveParts waves{nothing, nothing};
 
   [[nodiscard]] double read(Index index) const { return index < 0 ? 0.0 : snapshot.y[index]; }
   [[nodiscard]] double rate(Index index) const { return index < 0 ? 0.0 : snapshot.yp[index]; }
@@ -85,6 +86,12 @@ View make_view(const Layer& layer, const core::Snapshot& snapshot) {
     v.roughness = face_roughness(v.H, top, v.face);
   }
   v.shares = flow_shares(layer, v.context, v.H, v.cells);
+  if (const auto& disturbance = layer.parameters().initial.disturbance) {
+    std::vector<double> u;
+    for (int k = 0; k < v.nz(); ++k)
+      for (int f = 0; f < v.nx(); ++f) u.push_back(v.read(layer.unknowns().u(f, k)));
+    v.waves = wave_parts(*disturbance, u, v.nx());
+  }
   return v;
 }
 
@@ -107,10 +114,8 @@ Entry flow_class_field() {
            "what becomes of short waves: " + diagnostics::flow_class_legend(),
            core::Storage::single_precision,
            false,
-           {{"coordinates", "x z"},
-            {"grid", "grid"},
-            {"location", "face"},
-            {"flag_meanings", diagnostics::flow_class_flags()}}},
+           {{"coordinates", "x z"}, {"grid", "grid"}, {"location", "face"}},
+           diagnostics::flow_class_flags()},
           over(false, 0, false, [](const View& v, int i, int k) {
             return static_cast<double>(class_of(v.cells[std::size_t(k) * v.nx() + i]));
           })};
@@ -188,6 +193,17 @@ double leaving(const View& v, double sign) {
   return v.rate(sign > 0.0 ? at.mass_right() : at.mass_left());
 }
 
+/// Of a layer that was disturbed at the start.
+std::vector<Entry> wave_numbers() {
+  const auto one = [](const char* name, const char* long_name, double WaveParts::*part) {
+    return Entry{{name, {}, "m s-1", long_name, core::Storage::double_precision, false, {}},
+                 number([part](const View& v) { return v.waves.*part; })};
+  };
+  return {one("disturbance_speed", "root mean square of u in the waves along x that were disturbed at the start",
+              &WaveParts::disturbed),
+          one("other_waves_speed", "root mean square of u in all other waves along x", &WaveParts::others)};
+}
+
 std::vector<Entry> numbers(double first_mass) {
   const auto one = &Fields::scalar;
   const auto mass = [](Index (Unknowns::*index)() const) {
@@ -235,6 +251,8 @@ std::vector<Entry> entries(const Layer& layer) {
                             layer.parameters().grains.rho() * layer.parameters().box.gap;
   for (auto&& group : {Fields::coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass), shares()})
     all.insert(all.end(), group.begin(), group.end());
+  if (layer.parameters().initial.disturbance)
+    for (auto&& entry : wave_numbers()) all.push_back(std::move(entry));
   return all;
 }
 

@@ -109,6 +109,11 @@ Layer::Layer(Parameters parameters)
   const Box& box = parameters_.box;
   if (box.lid && !box.periodic && (box.left_open || box.right_open))
     throw std::invalid_argument("layer: under a lid both ends must be walls, or joined");
+  const auto& initial = parameters_.initial;
+  if (!initial.speeds.empty() && initial.speeds.size() != static_cast<std::size_t>(columns_.n_layers))
+    throw std::invalid_argument("layer: needs a speed of each layer at the start, or none");
+  if ((!initial.speeds.empty() || initial.disturbance) && !box.periodic)
+    throw std::invalid_argument("layer: speeds at the start belong to a periodic layer");
   context_.parameters = &parameters_;
   context_.columns = columns_;
   context_.weight_along = parameters_.grains.rho() * box.gravity * std::sin(box.tilt);
@@ -160,6 +165,19 @@ void Layer::initial_state(double, std::span<double> y, std::span<double> yp) con
     y[unknowns_.H(i)] = H;
     for (int k = 0; k < columns_.n_layers; ++k) y[unknowns_.p(i, k)] = above + weight * (H - 0.5 * (z[k] + z[k + 1]));
   }
+  if (!parameters_.initial.speeds.empty() || parameters_.initial.disturbance) set_speeds(z, y);
+}
+
+void Layer::set_speeds(std::span<const double> z, std::span<double> y) const {
+  const auto& initial = parameters_.initial;
+  const int n = columns_.n_columns;
+  std::vector<double> x, middle, added(std::size_t(n) * columns_.n_layers, 0.0);
+  for (int f = 0; f < n; ++f) x.push_back(columns_.x_face(f) / parameters_.box.length);
+  for (int k = 0; k < columns_.n_layers; ++k) middle.push_back(0.5 * (z[k] + z[k + 1]) / initial.thickness);
+  if (initial.disturbance) added = sampled(*initial.disturbance, x, middle);
+  for (int k = 0; k < columns_.n_layers; ++k)
+    for (int f = 0; f < n; ++f)
+      y[unknowns_.u(f, k)] = (initial.speeds.empty() ? 0.0 : initial.speeds[k]) + added[std::size_t(k) * n + f];
 }
 
 void Layer::residual(double t, std::span<const double> y, std::span<const double> yp, std::span<double> r) const {

@@ -31,6 +31,9 @@ class Layer final : public core::DaeSystem {
   [[nodiscard]] const Context& context(double t, std::span<const double> y) const;
 
  private:
+  /// The speeds of the start, disturbed; `z`: heights of the interfaces.
+  void set_speeds(std::span<const double> z, std::span<double> y) const;
+
   Parameters parameters_;
   grid::Columns columns_;
   grid::Layering layering_;

@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "experiment/experiment.hpp"
 #include "grid/layering.hpp"
+#include "layer/disturbance.hpp"
 #include "layer/forcing.hpp"
 #include "rheology/law.hpp"
 #include "rheology/newtonian.hpp"
@@ -40,7 +42,9 @@ struct Numerics {
 };
 
 struct Initial {
-  double thickness;  ///< H at the start [m], everywhere
+  double thickness;                          ///< H at the start [m], everywhere
+  std::vector<double> speeds{};              ///< down the base in each layer, from the base up [m/s]; empty: rest
+  std::optional<Disturbance> disturbance{};  ///< of these speeds
 };
 
 /// All that the layer model needs to know.

@@ -11,8 +11,8 @@ namespace talus::two_fluid {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr CellState no_cell{nothing, nothing, nothing, nothing, nothing, nothing,
-                            nothing, nothing, nothing, false,   nothing, nothing};
+constexpr CellState no_cell{nothing, nothing, nothing, nothing, nothing, nothing, nothing, nothing,
+                            nothing, false,   nothing, nothing, nothing, nothing, {}};
 
 }  // namespace
 
@@ -33,14 +33,17 @@ CellState cell_state(const TwoFluid& system, const Context& c, std::span<const d
   s.D_norm = std::sqrt(D_squared);
   s.eta = grain_viscosity(c, D_squared, s.p);
   s.eta_mixture = mixture_viscosity(c, s.phi, s.eta);
-  s.I = s.mu = s.C = s.q = nothing;
+  s.I = s.mu = s.C = s.nu = s.q = s.growth_per_k2 = nothing;
   if (!(s.phi > dense)) return s;
   s.I = rheology::inertial_number(par.grains, par.regularisation, D_squared, c.rate_floor, s.p);
   const auto response = rheology::response(par.law, s.I);
   s.mu = response.mu;
   s.C = rheology::condition_C(response);
+  s.nu = response.nu;
   s.q = response.q;
   s.capped = rheology::is_capped(par.law, par.grains, par.regularisation, D_squared, c.rate_floor, s.p);
+  s.growth_per_k2 = diagnostics::growth_per_square(response, s.capped, s.eta, par.grains.rho());
+  s.flow_class = diagnostics::flow_class(response, s.capped);
   return s;
 }
 

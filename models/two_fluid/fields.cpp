@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/staggered_fields.hpp"
+#include "diagnostics/flow_shares.hpp"
 #include "diagnostics/heap_shape.hpp"
-#include "diagnostics/ill_posedness.hpp"
 #include "two_fluid/cell_state.hpp"
 
 namespace talus::two_fluid {
@@ -25,7 +25,7 @@ struct View {
   std::vector<double> H;
   std::optional<diagnostics::Face> face;
   diagnostics::Apex apex{0, nothing, nothing};
-  diagnostics::IllPosedness ill_posed;
+  diagnostics::FlowShares shares;
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return system.mesh().grid(); }
   [[nodiscard]] int nx() const { return grid().n_columns(); }
@@ -49,9 +49,9 @@ struct View {
 };
 
 /// Flowing are cells of grains faster than 1 % of the fastest one of their column.
-diagnostics::IllPosedness ill_posedness_of(const View& v) {
+diagnostics::FlowShares shares_of(const View& v) {
   constexpr double slowest = 0.01;
-  std::vector<double> I, area;
+  std::vector<diagnostics::FlowCell> cells;
   for (int i = 0; i < v.grid().n_columns(); ++i) {
     const auto speed = [&](int k) {
       return v.cell(i, k).phi > dense ? std::hypot(v.cell(i, k).u, v.cell(i, k).w) : 0.0;
@@ -59,12 +59,11 @@ diagnostics::IllPosedness ill_posedness_of(const View& v) {
     double fastest = 0.0;
     for (int k = 0; k < v.grid().n_layers(); ++k) fastest = std::max(fastest, speed(k));
     for (int k = 0; k < v.grid().n_layers(); ++k) {
-      if (!(speed(k) > slowest * fastest)) continue;
-      I.push_back(v.cell(i, k).I);
-      area.push_back(v.area(i, k));
+      const auto& cell = v.cell(i, k);
+      if (speed(k) > slowest * fastest) cells.push_back({cell.I, cell.flow_class, v.area(i, k), speed(k)});
     }
   }
-  return diagnostics::ill_posedness(v.system.parameters().law, I, area);
+  return diagnostics::flow_shares(v.system.parameters().law, cells);
 }
 
 View make_view(const TwoFluid& system, const core::Snapshot& snapshot) {
@@ -79,7 +78,7 @@ View make_view(const TwoFluid& system, const core::Snapshot& snapshot) {
     v.apex = diagnostics::apex(surface);
     v.face = diagnostics::right_face(surface);
   }
-  v.ill_posed = ill_posedness_of(v);
+  v.shares = shares_of(v);
   return v;
 }
 
@@ -96,7 +95,7 @@ std::vector<Entry> cell_fields() {
                               over(false, 0, false, [=](const View& v, int i, int k) { return value(v.cell(i, k)); }));
   };
   using C = CellState;
-  return {
+  std::vector<Entry> all{
       field("phi", "1", "volume fraction of the grains", [](const C& s) { return s.phi; }),
       field("u_centre", "m s-1", "velocity down the base, in the cell's middle", [](const C& s) { return s.u; }),
       field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", [](const C& s) { return s.w; }),
@@ -114,7 +113,18 @@ std::vector<Entry> cell_fields() {
             [](const C& s) { return s.capped ? 1.0 : 0.0; }),
       field("wellposed_C", "1", "C of (3.18): well-posed where it is not positive", [](const C& s) { return s.C; }),
       field("wellposed_q", "1", "mu - I mu'/2: the pressure equation is elliptic where it is below 1",
-            [](const C& s) { return s.q; })};
+            [](const C& s) { return s.q; }),
+      field("wellposed_nu", "1", "I mu'/mu: where it is above 1/2, C > 0 is not growth",
+            [](const C& s) { return s.nu; }),
+      field("growth_per_k2", "m2 s-1",
+            "largest growth rate of short waves over the square of their wave number, by frozen coefficients",
+            [](const C& s) { return s.growth_per_k2; })};
+  auto classes = field("wellposed_class", "1", "",
+                       [](const C& s) { return s.phi > dense ? static_cast<double>(s.flow_class) : nothing; });
+  classes.variable.long_name = "what becomes of short waves: " + diagnostics::flow_class_legend();
+  classes.variable.flags = diagnostics::flow_class_flags();
+  all.push_back(std::move(classes));
+  return all;
 }
 
 std::vector<Entry> native_fields() {
@@ -190,20 +200,22 @@ std::vector<Entry> numbers(double first_mass) {
       one("heap_angle", "degree", "slope of the straight right face against the horizontal",
           [=](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
       one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),
-      one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; }),
-      one("ill_posed_share", "1", "share of the flowing area in which C of (3.18) is positive",
-          [](const View& v) { return v.ill_posed.C_positive; }),
-      one("growing_share", "1", "share of the flowing area in which short waves grow by linear theory",
-          [](const View& v) { return v.ill_posed.growing; }),
-      one("not_elliptic_share", "1", "share of the flowing area in which mu - I mu'/2 is not below 1",
-          [](const View& v) { return v.ill_posed.not_elliptic; })};
+      one("apex_z", "m", "thickness at the thickest point", [](const View& v) { return v.apex.H; })};
+}
+
+std::vector<Entry> shares() {
+  std::vector<Entry> all;
+  for (const auto& share : diagnostics::share_numbers())
+    all.push_back(Fields::scalar(share.name, "1", share.long_name,
+                                 [value = share.value](const View& v) { return value(v.shares); }));
+  return all;
 }
 
 std::vector<Entry> entries(const TwoFluid& system) {
   const auto& par = system.parameters();
   const double first_mass = par.thickness * par.box.length * par.grains.rho() * par.box.gap;
   std::vector<Entry> all;
-  for (auto&& group : {Fields::coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass)})
+  for (auto&& group : {Fields::coordinates(), lines(), cell_fields(), native_fields(), numbers(first_mass), shares()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

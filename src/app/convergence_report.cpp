@@ -160,6 +160,11 @@ std::string text_of(const ConvergenceStudy& study) {
     for (const auto& name : study.without_value) out += " " + name;
     out += "\n";
   }
+  if (!study.same_as_end.empty()) {
+    out += "steady as at the end, and not told again: t =";
+    for (const double t : study.same_as_end) out += " " + digits(t, "%g");
+    out += " s\n";
+  }
   return out + sentence_of(study) + "\n";
 }
 
@@ -225,7 +230,8 @@ std::string json_text_of(const ConvergenceStudy& study) {
                  {"levels", std::move(levels)},
                  {"numbers", std::move(numbers)},
                  {"fields", std::move(fields)},
-                 {"without_value", study.without_value}};
+                 {"without_value", study.without_value},
+                 {"steady_as_at_the_end_s", study.same_as_end}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/refinement.hpp"
+#include "experiment/inflow.hpp"
 #include "output/run_reader.hpp"
 #include "output/text_file.hpp"
 #include "sweep/member_results.hpp"
@@ -27,10 +28,13 @@ using Numbers = std::map<std::string, double>;
 /// "mass_stored@56": of a record at an output time.
 std::string record_name(const std::string& name, double time) { return name + "@" + sweep::plain(time); }
 
-Numbers numbers_of(const sweep::MemberResults& member) {
+Numbers numbers_of(const sweep::MemberResults& member, const std::vector<double>& left_out) {
   Numbers all = member.last;
   for (const auto& [name, values] : member.records.numbers) {
-    for (std::size_t i = 0; i < values.size(); ++i) all[record_name(name, member.records.times[i])] = values[i];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double time = member.records.times[i];
+      if (std::ranges::find(left_out, time) == left_out.end()) all[record_name(name, time)] = values[i];
+    }
   }
   return all;
 }
@@ -39,13 +43,14 @@ class Reader {
  public:
   Reader(const std::filesystem::path& folder, const sweep::Manifest& manifest) : folder_(folder), manifest_(manifest) {}
 
-  ConvergenceStudy read(const std::vector<double>& rtols) {
+  ConvergenceStudy read(const Scene& scene, const std::vector<double>& rtols) {
+    study_.same_as_end = times_like_the_end(scene);
     const sweep::SweepFolder place(folder_, manifest_.design.size());
     for (std::size_t i = 0; i < manifest_.design.size(); ++i) {
       const auto run_folder = folder_ / place.member(i);
       const auto member = sweep::read_member(run_folder, output::contents(folder_ / place.scene(i)), {});
       study_.levels.push_back({manifest_.design.describe(i), member.state, member.costs, rtols.at(i)});
-      numbers_.push_back(numbers_of(member));
+      numbers_.push_back(numbers_of(member, study_.same_as_end));
       files_.push_back(run_folder / "run.nc");
     }
     count();
@@ -150,9 +155,22 @@ class Reader {
 
 }  // namespace
 
+std::vector<double> times_like_the_end(const Scene& scene) {
+  std::vector<double> times;
+  if (scene.integration.method != Integration::Method::steady) return times;
+  const auto box = experiment::box_at(scene.box, scene.motion, scene.end);
+  for (const double t : scene.recording.listed_times) {
+    const auto then = experiment::box_at(scene.box, scene.motion, t);
+    if (then.tilt == box.tilt && then.gap == box.gap &&
+        experiment::inflow_rate(scene.inflow, t) == experiment::inflow_rate(scene.inflow, scene.end))
+      times.push_back(t);
+  }
+  return times;
+}
+
 ConvergenceStudy read_convergence_study(const std::filesystem::path& folder, const sweep::Manifest& manifest,
-                                        const std::vector<double>& rtols) {
-  return Reader(folder, manifest).read(rtols);
+                                        const Scene& scene, const std::vector<double>& rtols) {
+  return Reader(folder, manifest).read(scene, rtols);
 }
 
 ConvergenceVerdict verdict_of(const ConvergenceStudy& study) {

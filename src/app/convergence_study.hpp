@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene.hpp"
 #include "study/convergence.hpp"
 #include "study/nested_grids.hpp"
 #include "sweep/manifest.hpp"
@@ -42,14 +43,19 @@ struct ConvergenceStudy {
   std::vector<StudiedNumber> numbers;    ///< that have a value on a level that counts
   std::vector<std::string> without_value;
   std::vector<StudiedField> fields;
+  std::vector<double>
+      same_as_end;  ///< output times whose steady state is that of the end: they are no numbers of their own [s]
 };
 
-/// Reads the members of a study from its folder. `rtols`: of the levels. Throws core::OutputError for a run.nc that cannot be read.
+/// Output times at which a scene of integrator.method = "steady" stands as at its end: box and inflow are the same [s]. None of others.
+std::vector<double> times_like_the_end(const Scene& scene);
+
+/// Reads the members of a study of a scene from its folder. `rtols`: of the levels. Throws core::OutputError for a run.nc that cannot be read.
 ///
 /// A difference below rtol times the largest number of the same unit is the integrator's, not the grid's; likewise of fields, whose
 /// single precision resolves a millionth at best.
 ConvergenceStudy read_convergence_study(const std::filesystem::path& folder, const sweep::Manifest& manifest,
-                                        const std::vector<double>& rtols);
+                                        const Scene& scene, const std::vector<double>& rtols);
 
 /// What the study says as a whole.
 enum class ConvergenceVerdict : std::uint8_t {

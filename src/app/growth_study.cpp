@@ -1,229 +1,162 @@
 #include "app/growth_study.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
-#include <random>
 
 #include "app/refinement.hpp"
 #include "app/steady_layer.hpp"
-#include "app/table.hpp"
+#include "app/study_members.hpp"
+#include "app/sweep_work.hpp"
+#include "column/layer_state.hpp"
 #include "core/errors.hpp"
-#include "ida/ida.hpp"
-#include "modes/plane_waves.hpp"
-#include "output/atomic_file.hpp"
+#include "output/run_reader.hpp"
 #include "output/text_file.hpp"
+#include "sweep/member_results.hpp"
+#include "symbol/growth_map.hpp"
+#include "symbol/sheared_layer.hpp"
 
 namespace talus::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double fitted_share = 0.5;  // the last part of what is fitted
+constexpr double most_others = 0.1;   // of the disturbed waves' amplitude
+constexpr double most_speed = 0.1;    // of the fastest speed
+constexpr double least_window = 1.0;  // in times of the mode: a shorter one sees what goes before it
+const std::vector<std::string> series{"disturbance_speed", "other_waves_speed"};
 
-constexpr double noise_share = 1e-4;  // of the fastest speed
-constexpr double mode_times = 6.0;    // to run
-constexpr double fitted_share = 0.5;  // the last part of it
-constexpr double steps_a_time = 25.0;
-constexpr std::uint64_t seed = 1;
-constexpr int fewest_columns = 9;  // of a ring for plane waves
-
-Scene refined(Scene scene, int level) {
-  for (int i = 0; i < level; ++i) {
-    scene.cells.columns *= refinement_ratio;
-    scene.cells.layers *= refinement_ratio;
-  }
-  // Far below the noise, which the steps resolve by their length alone.
-  scene.integration.rtol = std::min(scene.integration.rtol, 1e-7);
-  scene.integration.atol_velocity = std::min(scene.integration.atol_velocity, 1e-9);
-  scene.integration.atol_pressure = std::min(scene.integration.atol_pressure, 1e-5);
-  scene.integration.atol_height = std::min(scene.integration.atol_height, 1e-10);
-  return scene;
+SweepPlan plan_of(const GrowthRequest& request, const sweep::Dimension& runs) {
+  const auto settings = overridden(request.overrides, {"output.times=[]"});
+  return plan_of({"wellposed", "Growth of disturbances of", request.scene_file, settings, runs}, request.scene);
 }
 
-/// Of the waves that fit the box, two columns excepted.
-double fastest_wave(const Scene& scene) {
-  const SteadyLayer steady(scene, fewest_columns);
-  const modes::PlaneWaves waves(steady.layer(), 0.0, steady.state(), fewest_columns);
-  double fastest = -std::numeric_limits<double>::infinity();
-  for (int m = 1; 2 * m < scene.cells.columns; ++m) {
-    const auto found = waves.modes(2.0 * std::numbers::pi * m / scene.cells.columns);
-    if (!found.empty()) fastest = std::max(fastest, found.front().rate.real());
-  }
-  return fastest;
+/// A run that the solver gave up has nothing more to say.
+bool is_over(const sweep::MemberState& state) {
+  return state.same_scene &&
+         (state.status == sweep::Status::finished ||
+          (state.status == sweep::Status::failed && state.exit_code == static_cast<int>(core::ExitCode::solver)));
 }
 
-/// Root mean square over cells of what departs from the mean along x, and of the flux across layers.
-double departure(const layer::Layer& layer, std::span<const double> y) {
-  const auto& c = layer.columns();
-  const auto& at = layer.unknowns();
-  double squares = 0.0;
-  for (int k = 0; k < c.n_layers; ++k) {
+/// The strongest wave along x, and where the departure from the mean is largest.
+void look_at_the_end(const std::filesystem::path& file, GrowthRun& run) {
+  const output::RunReader reader(file);
+  const auto u = reader.last_record("u_centre"), z = reader.last_record("z"), x = reader.last_record("x");
+  const std::size_t n = u.n_columns;
+  std::vector<double> energy(n / 2 + 1, 0.0);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < u.n_layers; ++k) {
+    const auto row = std::span(u.values).subspan(k * n, n);
     double mean = 0.0;
-    for (int i = 0; i < c.n_columns; ++i) mean += y[at.u(i, k)] / c.n_columns;
-    for (int i = 0; i < c.n_columns; ++i)
-      squares += std::pow(y[at.u(i, k)] - mean, 2) + std::pow(y[at.omega(i, k + 1)], 2);
+    for (const double each : row) mean += each / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(std::abs(row[i] - mean) > largest)) continue;
+      largest = std::abs(row[i] - mean);
+      run.x = x.values[i];
+      run.z = z.values[k * n + i];
+    }
+    for (std::size_t m = 1; m < energy.size(); ++m) {
+      std::complex<double> sum = 0.0;
+      for (std::size_t i = 0; i < n; ++i)
+        sum += (row[i] - mean) * std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(m * i % n) / n);
+      energy[m] += std::norm(sum);
+    }
   }
-  return std::sqrt(squares / (static_cast<double>(c.n_layers) * c.n_columns));
+  if (largest > 0.0) run.wave = static_cast<int>(std::ranges::max_element(energy) - energy.begin());
 }
 
-class Watch final : public core::Observer {
- public:
-  Watch(const layer::Layer& layer, GrowthRun& run) : layer_(layer), run_(run) {}
-  bool on_step(const core::Snapshot& now) override {
-    run_.times.push_back(now.t);
-    run_.amplitudes.push_back(departure(layer_, now.y));
-    return true;
-  }
-
- private:
-  const layer::Layer& layer_;
-  GrowthRun& run_;
-};
-
-void integrate(const Scene& scene, GrowthRun& run) {
-  const SteadyLayer steady(scene, scene.cells.columns);
-  const auto& layer = steady.layer();
-  std::vector<double> y(steady.state().begin(), steady.state().end()), yp(y.size(), 0.0);
-  const double noise = noise_share * std::ranges::max(steady.speeds());
-  std::mt19937_64 random(seed);
-  for (int k = 0; k < layer.columns().n_layers; ++k)
-    for (int i = 0; i < layer.columns().n_columns; ++i)
-      y[layer.unknowns().u(i, k)] += noise * (static_cast<double>(random() >> 11U) * 0x1p-52 - 1.0);
-  auto options = make_integrator_options(scene);
-  options.max_step = 1.0 / (steps_a_time * std::abs(run.predicted));
-  Watch watch(layer, run);
-  try {
-    ida::Ida integrator(layer, options);
-    integrator.start(0.0, y, yp);
-    integrator.advance(run.duration, watch);
-  } catch (const core::IntegrationError& error) {
-    run.end = std::string(error.what()).substr(0, std::string(error.what()).find('\n'));
-  }
-}
-
-Json as_json(const GrowthRun& run, const Scene& scene) {
-  return {{"scene", scene.effective},     {"columns", run.columns},
-          {"layers", run.layers},         {"predicted", run.predicted},
-          {"duration", run.duration},     {"times", run.times},
-          {"amplitudes", run.amplitudes}, {"end", run.end}};
-}
-
-/// True where the file holds this run of this scene.
-bool read(const std::filesystem::path& file, const Scene& scene, GrowthRun& run) {
-  const auto json = Json::parse(output::contents(file), nullptr, false);
-  if (!json.is_object() || json.value("scene", "") != scene.effective || json.value("columns", 0) != run.columns)
-    return false;
-  run.predicted = json.at("predicted");
-  run.duration = json.at("duration");
-  run.times = json.at("times").get<std::vector<double>>();
-  run.amplitudes = json.at("amplitudes").get<std::vector<double>>();
-  run.end = json.at("end");
-  return true;
-}
-
-GrowthRun run_on(const Scene& own, int level, const std::filesystem::path& folder) {
-  const Scene scene = refined(own, level);
-  GrowthRun run{scene.cells.columns, scene.cells.layers, 0.0, 0.0, {}, {}, "", {}};
-  const auto file = folder / fmt::format("growth_{}x{}.json", run.columns, run.layers);
-  if (!read(file, own, run)) {
-    std::fprintf(stderr, "noise on %dx%d cells ...\n", run.columns, run.layers);
-    run.predicted = fastest_wave(scene);
-    run.duration = mode_times / std::abs(run.predicted);
-    integrate(scene, run);
-    output::write_atomically(file, as_json(run, own).dump());
-  }
-  const double last = run.times.empty() ? 0.0 : run.times.back();
-  run.fit = study::fit_growth(run.times, run.amplitudes, (1.0 - fitted_share) * last, last);
+GrowthRun run_of(const GrowthMember& member, const std::filesystem::path& folder, const std::string& scene,
+                 double fastest) {
+  const auto results = sweep::read_member(folder, scene, series);
+  GrowthRun run{member, results.series.times, {}, {}, none, {}, "", 0.0, 0, none, none};
+  if (results.state.status == sweep::Status::failed)
+    run.end = results.state.reason.substr(0, results.state.reason.find('\n'));
+  const auto part = [&](const std::string& name) {
+    const auto found = results.series.numbers.find(name);
+    return found == results.series.numbers.end() ? std::vector<double>(run.times.size(), none) : found->second;
+  };
+  run.amplitudes = part(series.front());
+  run.others = part(series.back());
+  std::size_t n = 0;
+  while (n < run.times.size() && run.others[n] <= most_others * run.amplitudes[n] &&
+         run.amplitudes[n] <= most_speed * fastest)
+    ++n;
+  if (n < run.times.size()) run.taken_over = run.times[n];
+  const double to = n > 0 ? run.times[n - 1] : 0.0;
+  run.fit = study::fit_growth(run.times, run.amplitudes, (1.0 - fitted_share) * to, to);
+  if (std::abs(member.predicted) * (run.fit.to - run.fit.from) < least_window)
+    run.fit.rate = run.fit.uncertainty = none;
+  if (run.times.empty()) return run;
+  run.reached = run.times.back();
+  look_at_the_end(folder / "run.nc", run);
   return run;
+}
+
+/// Where the layer's own inertial numbers are ill-posed, what the symbol's grids say of them.
+std::optional<HiddenGrowth> hidden_growth(const Scene& finest) {
+  constexpr int fewest = 16, most = 1024;
+  constexpr std::size_t n_looked_at = 5;
+  const SteadyLayer steady(finest, 9);
+  const auto states = column::layer_states(steady.column(), 0.0, steady.speeds());
+  std::vector<double> I;
+  double share = 0.0;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (states[k].flow_class != diagnostics::FlowClass::ill_posed) continue;
+    share += steady.column().heights().thickness(static_cast<int>(k)) / steady.thickness();
+    I.push_back(states[k].I);
+  }
+  if (I.empty()) return std::nullopt;
+  std::vector<int> sizes;
+  for (int n = fewest; n <= most; n *= 2) sizes.push_back(n);
+  HiddenGrowth hidden{share, 0, most};
+  std::ranges::sort(I);
+  for (std::size_t j = 0; j < n_looked_at; ++j) {
+    const symbol::ShearedLayer flow(finest.grains, finest.law, I[j * (I.size() - 1) / (n_looked_at - 1)], 1.0);
+    const auto waves = symbol::fastest_waves([&](double x, double z) { return flow.growth(x, z).real(); }, sizes);
+    for (std::size_t s = 0; s < sizes.size(); ++s)
+      if (waves[s].growth > 0.0 && (hidden.cells == 0 || sizes[s] < hidden.cells)) hidden.cells = sizes[s];
+  }
+  return hidden;
+}
+
+GrowthStudy gathered(const GrowthRequest& request, const std::vector<GrowthMember>& members, const SweepWork& work,
+                     const SweepPlan& plan) {
+  GrowthStudy study;
+  const double fastest = std::ranges::max(SteadyLayer(request.scene, 9).speeds());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    auto row = std::ranges::find(study.rows, members[i].name, &GrowthRow::name);
+    if (row == study.rows.end()) row = study.rows.insert(row, {members[i].name, {}, {}});
+    row->runs.push_back(run_of(members[i], work.folder().path() / work.folder().member(i), plan.scenes[i], fastest));
+  }
+  for (auto& row : study.rows) {
+    std::vector<study::GrowthFit> fits;
+    for (const auto& run : row.runs) fits.push_back(run.fit);
+    row.verdict = study::growth_verdict(fits, refinement_ratio);
+    if (row.name == "grid noise") study.verdict = row.verdict;
+  }
+  study.hidden = hidden_growth(refined(request.scene, request.levels - 1));
+  if (study.hidden && study.verdict.tendency == study::GrowthTendency::decays) {
+    study.verdict.tendency = study::GrowthTendency::cannot_tell;
+    const int layers = study.rows.front().runs.back().member.layers;
+    study.verdict.finer = study.hidden->cells > layers
+                              ? std::max(1, int(std::lround(std::log2(double(study.hidden->cells) / layers))))
+                              : 1;
+  }
+  return study;
 }
 
 }  // namespace
 
-GrowthStudy growth_study(const Scene& scene, int levels, const std::filesystem::path& folder) {
-  if (scene.cells.columns < 3)
-    throw core::ConfigError("study wellposed --parts time: expected grid.columns of at least 3, found " +
-                            std::to_string(scene.cells.columns));
-  GrowthStudy study{0.0, seed, {}, {}};
-  study.noise = noise_share * std::ranges::max(SteadyLayer(scene, fewest_columns).speeds());
-  std::vector<study::GrowthFit> fits;
-  for (int level = 0; level < levels; ++level) {
-    study.runs.push_back(run_on(scene, level, folder));
-    fits.push_back(study.runs.back().fit);
-  }
-  study.verdict = study::growth_verdict(fits, refinement_ratio);
-  return study;
-}
-
-std::string sentence_of(const GrowthStudy& study) {
-  std::string out = fmt::format("Noise of {:.2g} m/s in time: {}", study.noise, word_of(study.verdict.tendency));
-  if (study.verdict.tendency == study::GrowthTendency::blows_up)
-    out += fmt::format(" with a rate as k^{:.2f}", study.verdict.exponent);
-  for (const auto& run : study.runs) {
-    out += fmt::format("; {}x{}: {:.4g} +- {:.2g} 1/s (its modes say {:.4g})", run.columns, run.layers, run.fit.rate,
-                       run.fit.uncertainty, run.predicted);
-    if (!run.end.empty())
-      out += fmt::format(", broke down at t = {:.3g} s", run.times.empty() ? 0.0 : run.times.back());
-  }
-  if (study.verdict.tendency == study::GrowthTendency::cannot_tell)
-    out += fmt::format("; {}x{} cells may tell", refinement_ratio * study.runs.back().columns,
-                       refinement_ratio * study.runs.back().layers);
-  return out + ".";
-}
-
-Json json_of(const GrowthStudy& study) {
-  Json runs = Json::array();
-  for (const auto& run : study.runs)
-    runs.push_back({{"columns", run.columns},
-                    {"layers", run.layers},
-                    {"rate_1_s", json_of(run.fit.rate)},
-                    {"uncertainty_1_s", json_of(run.fit.uncertainty)},
-                    {"window_s", {run.fit.from, run.fit.to}},
-                    {"rate_of_modes_1_s", json_of(run.predicted)},
-                    {"broke_down", run.end.empty() ? Json(nullptr) : Json(run.end)}});
-  return {{"words", sentence_of(study)},
-          {"verdict", word_of(study.verdict.tendency)},
-          {"rate_exponent", json_of(study.verdict.exponent)},
-          {"noise_m_s", study.noise},
-          {"seed", study.seed},
-          {"runs", std::move(runs)}};
-}
-
-void add_to(output::Table& table, const GrowthStudy& study) {
-  std::size_t most = 0;
-  for (const auto& run : study.runs) most = std::max(most, run.times.size());
-  if (most == 0) return;
-  table.dimensions.emplace_back("growth_grid", study.runs.size());
-  table.dimensions.emplace_back("growth_point", most);
-  std::vector<std::int64_t> columns, layers;
-  std::vector<double> rate, uncertainty, predicted, times, amplitudes;
-  const auto filled = [&](std::vector<double> values) {
-    values.resize(most, std::numeric_limits<double>::quiet_NaN());
-    return values;
-  };
-  for (const auto& run : study.runs) {
-    columns.push_back(run.columns);
-    layers.push_back(run.layers);
-    rate.push_back(run.fit.rate);
-    uncertainty.push_back(run.fit.uncertainty);
-    predicted.push_back(run.predicted);
-    const auto t = filled(run.times), a = filled(run.amplitudes);
-    times.insert(times.end(), t.begin(), t.end());
-    amplitudes.insert(amplitudes.end(), a.begin(), a.end());
-  }
-  const std::vector<std::string> grid{"growth_grid"}, both{"growth_grid", "growth_point"};
-  table.variables.insert(
-      table.variables.end(),
-      {{"growth_columns", grid, "1", "columns of the grid", columns},
-       {"growth_layers", grid, "1", "layers of the grid", layers},
-       {"growth_rate", grid, "s-1", "growth rate fitted to the last half of the run", rate},
-       {"growth_uncertainty", grid, "s-1", "its uncertainty", uncertainty},
-       {"growth_predicted", grid, "s-1", "fastest growth rate of the waves that fit the box, from the modes",
-        predicted},
-       {"growth_time", both, "s", "simulated time", times},
-       {"growth_amplitude", both, "m s-1", "root mean square of what departs from a uniform layer", amplitudes}});
+std::optional<GrowthStudy> growth_study(const GrowthRequest& request) {
+  std::filesystem::create_directories(request.folder);
+  const auto members = growth_members(request);
+  const auto plan = plan_of(request, dimension_of(members, request.scene));
+  SweepWork work(plan, request.scene_file.string(), request.folder, request.force);
+  if (!std::ranges::all_of(work.manifest().members, is_over) &&
+      work.run(request.jobs, 1) == core::ExitCode::restartable)
+    return std::nullopt;
+  return gathered(request, members, work, plan);
 }
 
 }  // namespace talus::app

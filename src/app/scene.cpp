@@ -103,12 +103,25 @@ experiment::Motion motion_of(const Values& v) {
           .gap = given_at(v, "schedule.times", "schedule.gap", 1.0)};
 }
 
+std::optional<layer::Disturbance> disturbance_of(const Values& v) {
+  const double speed = v.number("disturbance.speed");
+  if (!(speed > 0.0)) return std::nullopt;
+  const int first = small_integer(v, "disturbance.first_wave");
+  return layer::Disturbance{
+      .speed = speed,
+      .first_wave = first,
+      .last_wave = v.has("disturbance.last_wave") ? small_integer(v, "disturbance.last_wave") : first,
+      .profiles = small_integer(v, "disturbance.profiles"),
+      .seed = static_cast<std::uint64_t>(small_integer(v, "disturbance.seed"))};
+}
+
 Initial initial_of(const Values& v, const Scene& scene) {
   const double unstated = model(scene.model).fixed_grid ? 0.0 : scene.numerics.film;
   return {.thickness = number_or(v, "model.initial_thickness", unstated),
           .state = words::meaning(words::initial_states, v.text("initial.state")),
           .profile = given_at(v, "initial.depths", "initial.speeds", 1.0),
-          .tilt = v.has("initial.tilt") ? v.number("initial.tilt") * degree : scene.box.tilt};
+          .tilt = v.has("initial.tilt") ? v.number("initial.tilt") * degree : scene.box.tilt,
+          .disturbance = disturbance_of(v)};
 }
 
 Cells cells_of(const Values& v) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,7 @@ struct Initial {
   State state;
   experiment::PiecewiseLinear profile;  ///< of State::profile: speed down the slope [m/s] over depth [m]
   double tilt;                          ///< of State::steady: the box's tilt to which that state belongs [rad]
+  std::optional<layer::Disturbance> disturbance;
 };
 
 /// When results are recorded; every record is exactly at its time [s].

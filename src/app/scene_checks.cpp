@@ -71,6 +71,9 @@ class CrossChecks {
     if (v_.has("model.initial_thickness") && H >= scene.box.height)
       refuse("model.initial_thickness", "expected below box.height = " + in_metres(scene.box.height));
     as_many("initial.speeds", "initial.depths");
+    if (scene.initial.disturbance && scene.model != "layer")
+      refuse("disturbance.speed",
+             "the " + scene.model + " model has no waves; expected 0 m/s, or model.name = \"layer\"");
     const auto& depths = scene.initial.profile.at;
     if (!depths.empty() && depths.back() > H)
       refuse("initial.depths", "expected depths within the layer, up to " + in_metres(H));

@@ -213,6 +213,21 @@ void numerics(Schema& s) {
             .below(90.0)
             .optional("box.tilt"));
 
+  s.section("disturbance",
+            "of the speed along the base at the start, on a periodic layer: waves along x times profiles across, "
+            "zero on the base, of random phases");
+  s.add(number("speed", "m/s", "amplitude of each wave and profile; 0: none").at_least(0.0).fallback(0.0));
+  s.add(integer("first_wave", "longest wave: so many fit the box").at_least(1).at_most(10000).fallback(1));
+  s.add(integer("last_wave", "shortest wave, likewise").at_least(1).at_most(10000).optional("disturbance.first_wave"));
+  s.add(integer("profiles", "quarter waves across the layer: 1, 3, 5, ..., so many of them")
+            .at_least(1)
+            .at_most(2000)
+            .fallback(1));
+  s.add(integer("seed", "of the phases; those of a wave and profile do not hang on what else there is")
+            .at_least(0)
+            .at_most(1'000'000'000)
+            .fallback(1));
+
   s.section("grid", "cells");
   s.add(
       integer("columns", "along the base")

@@ -24,15 +24,11 @@ constexpr std::size_t most_kept = 6;  ///< modes whose fields are kept
 
 /// A sweep of one member: the scene up to the end of its inflow, with a checkpoint there.
 SweepPlan plan_of(const SteadyModesRequest& request, double time) {
-  constexpr std::array<std::string_view, 3> own{"time.end", "checkpoint.exact", "output.times"};
-  auto settings = request.overrides;
-  std::erase_if(settings, [&](const std::string& setting) {
-    return std::ranges::find(own, setting.substr(0, setting.find_first_of(" ="))) != own.end();
-  });
-  settings.insert(settings.end(), {"checkpoint.exact=false", "output.times=[]"});
   const auto* key = scene_schema().find("time.end");
-  SweepPlan plan{{request.scene.name + "_steady", request.scene.title, request.scene_file, settings,
-                  sweep::Design({{"time_end", {{key->name, key->unit, key->doc, {time}}}}})},
+  const sweep::Dimension end{"time_end", {{key->name, key->unit, key->doc, {time}}}};
+  const auto settings = overridden(request.overrides, {"checkpoint.exact=false", "output.times=[]"});
+  SweepPlan plan{{request.scene.name + "_steady", request.scene.title, request.scene_file,
+                  settings_beside(end, settings), sweep::Design({end})},
                  {}};
   plan.scenes = member_scenes(plan.file, "study wellposed " + request.scene_file.string());
   return plan;

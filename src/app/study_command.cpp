@@ -52,7 +52,7 @@ void add_wellposed(CLI::App& study, const std::string& typed, int& code) {
       ->add_option(
           "--parts", request->parts,
           "symbol: growth of plane waves in uniform shear over I and grids; modes: of the discrete steady state; "
-          "time: noise on a uniform layer on refined grids; default the first two")
+          "time: disturbances of a uniform layer on refined grids; default the first two")
       ->delimiter(',')
       ->check(CLI::IsMember({"symbol", "modes", "time"}));
   command->add_option("--I", request->I, "inertial numbers of the symbol; default 1e-6:1e4:x41")->type_name("LIST");
@@ -60,11 +60,15 @@ void add_wellposed(CLI::App& study, const std::string& typed, int& code) {
                       "cells a side of the symbol's finest grid, a power of 2; default 1024");
   command->add_option("--waves", request->waves, "wavelengths of a uniform layer's modes; default 32")
       ->check(CLI::Range(2, 1000));
-  command
-      ->add_option("--levels", request->levels,
-                   "grids of noise in time: the scene's own and its refinements by 2; default 4")
+  command->add_option("--levels", request->levels, "grids in time: the scene's own and its refinements by 2; default 4")
       ->type_name("N")
       ->check(CLI::Range(2, 8));
+  command
+      ->add_option("--single", request->single,
+                   "in time, besides noise: waves disturbed alone, whole ones over the box; default 1 and a quarter of "
+                   "the columns")
+      ->type_name("M,...")
+      ->delimiter(',');
   command->add_option("--jobs", request->jobs, "runs at a time; default one on each core")
       ->type_name("N")
       ->check(CLI::Range(1, 10000));

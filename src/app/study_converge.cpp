@@ -43,7 +43,7 @@ int study_converge(const ConvergeRequest& request) {
     return static_cast<int>(code);
   }
   const auto& folder = work.folder().path();
-  const auto study = read_convergence_study(folder, work.manifest(), rtols_of(plan));
+  const auto study = read_convergence_study(folder, work.manifest(), scene, rtols_of(plan));
   write(study, work.manifest(), folder, request);
   std::printf("\n%s", text_of(study).c_str());
   std::fflush(stdout);

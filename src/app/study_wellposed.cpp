@@ -3,12 +3,14 @@
 #include <bit>
 #include <cstdio>
 
-#include "app/growth_study.hpp"
+#include "app/growth_report.hpp"
 #include "app/number_list.hpp"
 #include "app/plot.hpp"
 #include "app/steady_modes.hpp"
 #include "app/symbol_study.hpp"
+#include "app/theory.hpp"
 #include "app/wave_study.hpp"
+#include "app/wellposed_verdict.hpp"
 #include "core/errors.hpp"
 #include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
@@ -22,6 +24,7 @@ struct Result {
   output::Table table;
   Json json;
   std::string words;
+  std::optional<WellposedVerdict> verdict;  ///< of the last part that has one
 
   void add(const std::string& sentence) { words += (words.empty() ? "" : "\n") + sentence; }
 };
@@ -45,9 +48,12 @@ std::vector<double> inertial_numbers(const std::string& list) {
 }
 
 void symbol_part(const WellposedRequest& request, const Scene& scene, Result& result) {
-  const auto study = symbol_study(scene, inertial_numbers(request.I), sizes_up_to(request.most_cells));
+  const auto study = symbol_study(scene, inertial_numbers(request.I), sizes_up_to(request.most_cells), request.jobs);
   add_to(result.table, study);
   result.json["symbol"] = json_of(study);
+  const auto theory = theory_of(scene);
+  result.verdict =
+      verdict_of(study, theory.steady ? std::optional(theory.steady->flow.inertial_number(0.0)) : std::nullopt);
   result.add(sentence_of(study));
 }
 
@@ -59,12 +65,24 @@ void wave_part(const WellposedRequest& request, const Scene& scene, Result& resu
   result.add(sentence_of(study, threshold));
 }
 
-void time_part(const WellposedRequest& request, const Scene& scene, const std::filesystem::path& folder,
+/// Waves that are asked for; else the longest, and the shortest that the coarsest grid resolves.
+std::vector<int> single_waves(const WellposedRequest& request, const Scene& scene) {
+  if (!request.single.empty()) return request.single;
+  const int shortest = std::max(1, scene.cells.columns / 4);
+  return shortest > 1 ? std::vector<int>{1, shortest} : std::vector<int>{1};
+}
+
+/// False where a signal ended it.
+bool time_part(const WellposedRequest& request, const Scene& scene, const std::filesystem::path& folder,
                Result& result) {
-  const auto study = growth_study(scene, request.levels, folder);
-  add_to(result.table, study);
-  result.json["time"] = json_of(study);
-  result.add(sentence_of(study));
+  const auto study = growth_study({request.scene_file, request.overrides, scene, folder / "time", request.levels,
+                                   single_waves(request, scene), request.jobs, request.force});
+  if (!study) return false;
+  add_to(result.table, *study);
+  result.json["time"] = json_of(*study);
+  result.verdict = verdict_of(*study);
+  result.add(sentence_of(*study));
+  return true;
 }
 
 /// False where a signal ended it.
@@ -76,6 +94,11 @@ bool steady_part(const WellposedRequest& request, const Scene& scene, const std:
   result.json["modes"] = json_of(*study);
   result.add(sentence_of(*study));
   return true;
+}
+
+int interrupted(const Scene& scene) {
+  std::printf("%s: the same command goes on\n", scene.name.c_str());
+  return static_cast<int>(core::ExitCode::restartable);
 }
 
 }  // namespace
@@ -95,16 +118,18 @@ int study_wellposed(const WellposedRequest& request) {
   if (wanted("symbol")) symbol_part(request, scene, result);
   if (wanted("modes")) {
     if (scene.box.periodic) wave_part(request, scene, result);
-    else if (!steady_part(request, scene, folder, result)) return static_cast<int>(core::ExitCode::restartable);
+    else if (!steady_part(request, scene, folder, result)) return interrupted(scene);
   }
-  if (wanted("time")) time_part(request, scene, folder, result);
+  if (wanted("time") && !time_part(request, scene, folder, result)) return interrupted(scene);
   result.table.attributes = output::provenance_attributes({scene.effective, request.command, {}});
   result.table.attributes["Conventions"] = "CF-1.8";
   result.table.attributes["study"] = "wellposed";
   result.table.attributes["title"] = scene.title.empty() ? scene.name : scene.title;
+  if (result.verdict) result.words = sentence_of(*result.verdict) + "\n" + result.words;
   result.table.attributes["verdict"] = result.words;
   write_table(folder / "study.nc", result.table);
   Json all{{"study", "wellposed"}, {"scene", scene.name}, {"words", result.words}};
+  if (result.verdict) all.update(json_of(*result.verdict));
   all.update(result.json);
   output::write_atomically(folder / "verdict.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   std::printf("%s\n", result.words.c_str());

@@ -15,7 +15,8 @@ struct WellposedRequest {
   std::string I = "1e-6:1e4:x41";            ///< of the symbol, see number_list
   int most_cells = 1024;                     ///< of the symbol's finest grid, a power of 2, at least 16
   int waves = 32;                            ///< wavelengths of a uniform layer's modes
-  int levels = 4;                            ///< grids of noise in time
+  int levels = 4;                            ///< grids of disturbances in time
+  std::vector<int> single;  ///< waves over the box disturbed alone; none: 1 and a quarter of the columns
   int jobs = 0;
   bool force = false;   ///< run again what was run of another scene
   std::string command;  ///< as typed, for the provenance

@@ -12,15 +12,6 @@ constexpr std::size_t most_told = 10;
 
 std::string key_of(const std::string& assignment) { return assignment.substr(0, assignment.find_first_of(" =")); }
 
-/// Settings of the file that no override replaces, then the overrides.
-std::vector<std::string> merged(std::vector<std::string> settings, const std::vector<std::string>& overrides) {
-  std::erase_if(settings, [&](const std::string& setting) {
-    return std::ranges::any_of(overrides, [&](const std::string& o) { return key_of(o) == key_of(setting); });
-  });
-  settings.insert(settings.end(), overrides.begin(), overrides.end());
-  return settings;
-}
-
 /// The scene as `talus run` of this very text will write it again: read once more, since defaults are then given values.
 std::string effective_scene(const std::filesystem::path& scene, const std::vector<std::string>& settings) {
   const std::string once = read_scene(scene, settings).effective;
@@ -87,9 +78,17 @@ std::vector<std::string> settings_beside(const sweep::Dimension& dimension, std:
   return settings;
 }
 
+std::vector<std::string> overridden(std::vector<std::string> settings, const std::vector<std::string>& overrides) {
+  std::erase_if(settings, [&](const std::string& setting) {
+    return std::ranges::any_of(overrides, [&](const std::string& o) { return key_of(o) == key_of(setting); });
+  });
+  settings.insert(settings.end(), overrides.begin(), overrides.end());
+  return settings;
+}
+
 SweepPlan plan_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SweepPlan plan{sweep::read_sweep(file, scene_schema()), {}};
-  plan.file.settings = merged(plan.file.settings, overrides);
+  plan.file.settings = overridden(plan.file.settings, overrides);
   plan.scenes = member_scenes(plan.file, file);
   return plan;
 }

@@ -21,6 +21,9 @@ std::vector<std::string> member_scenes(const sweep::SweepFile& file, const std::
 /// The user's settings ("key=value") of keys that no axis of the dimension sets: of the others, its points have the say.
 std::vector<std::string> settings_beside(const sweep::Dimension& dimension, std::vector<std::string> settings);
 
+/// `settings` but for those of keys that `overrides` set, then the overrides; both "key=value".
+std::vector<std::string> overridden(std::vector<std::string> settings, const std::vector<std::string>& overrides);
+
 /// Reads a sweep file and makes the scene of every member. `overrides` hold for all members and win over the file's own
 /// settings. Throws core::ConfigError for a bad sweep file, or naming the members whose scene is refused, with their axis
 /// values.

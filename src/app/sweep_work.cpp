@@ -85,12 +85,12 @@ SweepWork::SweepWork(const SweepPlan& plan, const std::string& source, const std
   write_manifest(folder_.path(), manifest_);
 }
 
-ExitCode SweepWork::run(int jobs) {
+ExitCode SweepWork::run(int jobs, int attempts) {
   const auto n_before = static_cast<std::size_t>(std::ranges::count_if(
       manifest_.members, [](const auto& state) { return sweep::next_action(state) == sweep::Action::skip; }));
   if (jobs <= 0) jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   SweepProgress progress(manifest_.design, n_before, stderr);
-  const int signal = run_members(manifest_, folder_, scenes_, {jobs, own_path()}, progress);
+  const int signal = run_members(manifest_, folder_, scenes_, {jobs, own_path(), attempts}, progress);
   progress.finish();
   return report(manifest_, folder_, n_before, signal != 0);
 }

@@ -26,7 +26,8 @@ class SweepWork {
   [[nodiscard]] const sweep::Manifest& manifest() const { return manifest_; }
   /// Runs the members that are not finished, `jobs` at a time (0: one on each core), and prints what became of all. Returns ok
   /// where all are finished, members_failed, or restartable after SIGINT, SIGTERM or SIGHUP: the same command goes on.
-  core::ExitCode run(int jobs);
+  /// `attempts`: of a member that fails.
+  core::ExitCode run(int jobs, int attempts = 2);
 
  private:
   std::vector<std::string> scenes_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/side_by_side.hpp"
 #include "app/table.hpp"
 #include "app/theory.hpp"
 #include "rheology/neutral_points.hpp"
@@ -30,10 +31,32 @@ std::vector<std::vector<double>> pairs(const std::vector<rheology::Range>& range
   return out;
 }
 
-/// Growth in units of eta/(rho h^2) over the shear rate.
-void scale(std::vector<FastestWave>& waves, const std::vector<int>& sizes, double length, double per_square) {
-  for (std::size_t s = 0; s < sizes.size(); ++s)
-    waves[waves.size() - sizes.size() + s].growth *= per_square * std::pow(sizes[s] / length, 2);
+/// All of one inertial number.
+struct Point {
+  rheology::Response response;
+  std::vector<double> unit;
+  std::vector<FastestWave> layer, direct, averaged;
+};
+
+Point point_at(const Scene& scene, double I, const std::vector<int>& sizes, double length) {
+  Point point{};
+  point.response = rheology::response(scene.law, I);
+  const double per_square = rheology::growth_scale(scene.grains, point.response, I, 1.0);
+  for (const int n : sizes) point.unit.push_back(per_square * std::pow(n / length, 2));
+  // Growth comes in units of eta/(rho h^2).
+  const auto scaled = [&](const auto& growth) {
+    auto waves = symbol::fastest_waves(growth, sizes);
+    for (std::size_t s = 0; s < sizes.size(); ++s) waves[s].growth *= point.unit[s];
+    return waves;
+  };
+  const auto staggered = [&](CornerViscosity viscosity) {
+    return scaled([&](double x, double z) { return symbol::staggered_growth(point.response, viscosity, x, z); });
+  };
+  const symbol::ShearedLayer flow(scene.grains, scene.law, I, 1.0);
+  point.layer = scaled([&](double x, double z) { return flow.growth(x, z).real() / flow.shear() / per_square; });
+  point.direct = staggered(CornerViscosity::direct);
+  point.averaged = staggered(CornerViscosity::averaged);
+  return point;
 }
 
 void append(std::vector<FastestWave>& map, const std::vector<FastestWave>& row) {
@@ -68,32 +91,23 @@ std::string_view word_of(SymbolVerdict::Word word) {
   return words.at(static_cast<std::size_t>(word));
 }
 
-SymbolStudy symbol_study(const Scene& scene, const std::vector<double>& I, const std::vector<int>& sizes) {
+SymbolStudy symbol_study(const Scene& scene, const std::vector<double>& I, const std::vector<int>& sizes, int jobs) {
   SymbolStudy study{};
   study.I = I;
   study.sizes = sizes;
   study.length = length_of(scene);
   study.damped_from_to = pairs(rheology::ranges_of_damping(scene.law));
   study.condition_from_to = pairs(rheology::ranges_of_condition(scene.law));
-  for (const double each : I) {
-    const auto response = rheology::response(scene.law, each);
-    study.closed.push_back(rheology::max_growth(response));
-    study.condition.push_back(rheology::condition_C(response));
-    study.q.push_back(response.q);
-    const double per_square = rheology::growth_scale(scene.grains, response, each, 1.0);
-    for (const int n : sizes) study.unit.push_back(per_square * std::pow(n / study.length, 2));
-    const symbol::ShearedLayer flow(scene.grains, scene.law, each, 1.0);
-    append(study.layer,
-           symbol::fastest_waves(
-               [&](double x, double z) { return flow.growth(x, z).real() / flow.shear() / per_square; }, sizes));
-    scale(study.layer, sizes, study.length, per_square);
-    const auto staggered = [&](std::vector<FastestWave>& map, CornerViscosity viscosity) {
-      append(map, symbol::fastest_waves(
-                      [&](double x, double z) { return symbol::staggered_growth(response, viscosity, x, z); }, sizes));
-      scale(map, sizes, study.length, per_square);
-    };
-    staggered(study.direct, CornerViscosity::direct);
-    staggered(study.averaged, CornerViscosity::averaged);
+  std::vector<Point> points(I.size());
+  side_by_side(I.size(), jobs, [&](std::size_t i) { points[i] = point_at(scene, I[i], sizes, study.length); });
+  for (const auto& point : points) {
+    study.closed.push_back(rheology::max_growth(point.response));
+    study.condition.push_back(rheology::condition_C(point.response));
+    study.q.push_back(point.response.q);
+    study.unit.insert(study.unit.end(), point.unit.begin(), point.unit.end());
+    append(study.layer, point.layer);
+    append(study.direct, point.direct);
+    append(study.averaged, point.averaged);
   }
   return study;
 }

@@ -39,8 +39,8 @@ struct SymbolVerdict {
 };
 std::string_view word_of(SymbolVerdict::Word word);
 
-/// `sizes`: powers of 2, ascending. Throws std::invalid_argument otherwise.
-SymbolStudy symbol_study(const Scene& scene, const std::vector<double>& I, const std::vector<int>& sizes);
+/// `sizes`: powers of 2, ascending. Throws std::invalid_argument otherwise. `jobs`: inertial numbers at a time; 0: one on each core.
+SymbolStudy symbol_study(const Scene& scene, const std::vector<double>& I, const std::vector<int>& sizes, int jobs);
 
 /// Ill-posed where waves grow on the two finest grids, at a rate that rises with the grid's wave number (n > 1); well-posed where none grows on
 /// any; else the grids cannot tell, and one twice as fine may.

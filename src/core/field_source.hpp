@@ -20,6 +20,7 @@ struct Variable {
   Storage storage = Storage::single_precision;
   bool fixed = false;                               ///< written once, without time
   std::map<std::string, std::string> attributes{};  ///< further CF or SGRID attributes
+  std::vector<std::string> flags{};  ///< words for the values 0, 1, ...: flag_values and flag_meanings of CF
 };
 
 /// Turns snapshots of the unknowns into named fields. Knows nothing of file formats.

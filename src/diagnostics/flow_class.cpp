@@ -11,11 +11,7 @@ std::string flow_class_legend() {
   return legend;
 }
 
-std::string flow_class_flags() {
-  std::string flags;
-  for (const char* word : flow_class_words) flags += (flags.empty() ? "" : " ") + std::string(word);
-  return flags;
-}
+std::vector<std::string> flow_class_flags() { return {flow_class_words.begin(), flow_class_words.end()}; }
 
 FlowClass flow_class(const rheology::Response& response, bool capped) {
   if (capped) return FlowClass::capped;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "rheology/well_posedness.hpp"
 
@@ -25,8 +26,8 @@ inline constexpr std::array<const char*, n_flow_classes> flow_class_meanings{
 
 /// "0 the cap of the viscosity acts, 1 ...": the numbers that a field of classes holds, in words.
 [[nodiscard]] std::string flow_class_legend();
-/// The words of the numbers 0, 1, ..., as CF's flag_meanings has them.
-[[nodiscard]] std::string flow_class_flags();
+/// The words of the numbers 0, 1, ....
+[[nodiscard]] std::vector<std::string> flow_class_flags();
 
 [[nodiscard]] FlowClass flow_class(const rheology::Response& response, bool capped);
 

@@ -54,6 +54,18 @@ void put_attribute(int file, int variable, const std::string& name, const Attrib
   check_setup(status, "attribute '" + name + "'");
 }
 
+void put_flags(int file, int variable, int type, const std::vector<std::string>& flags) {
+  std::vector<long long> values;
+  std::string words;
+  for (const auto& flag : flags) {
+    values.push_back(static_cast<long long>(values.size()));
+    words += (words.empty() ? "" : " ") + flag;
+  }
+  check_setup(nc_put_att_longlong(file, variable, "flag_values", type, values.size(), values.data()),
+              "attribute 'flag_values'");
+  put_attribute(file, variable, "flag_meanings", words);
+}
+
 RecordStream::RecordStream(int file, const std::string& time_name, core::FieldSource& source)
     : file_(file), time_name_(time_name), source_(source) {
   define_time();
@@ -131,6 +143,7 @@ void RecordStream::define(const core::Variable& variable) {
     const std::optional<int> integer = as_integer(text);
     put_attribute(file_, slot.id, name, integer ? Attribute(*integer) : Attribute(text));
   }
+  if (!variable.flags.empty()) put_flags(file_, slot.id, type, variable.flags);
   if (!variable.fixed) bytes_per_record_ += slot.size * (single ? sizeof(float) : sizeof(double));
   slots_.push_back(std::move(slot));
 }

@@ -13,6 +13,8 @@ namespace talus::output {
 
 /// Writes one attribute of `variable` (or NC_GLOBAL) in file `file`. Throws OutputError(io_setup).
 void put_attribute(int file, int variable, const std::string& name, const Attribute& value);
+/// CF's flag_values 0, 1, ... of netCDF type `type`, as the variable is, and flag_meanings.
+void put_flags(int file, int variable, int type, const std::vector<std::string>& flags);
 
 /// One unlimited time dimension of an open file and the variables of one FieldSource along it.
 class RecordStream {

@@ -60,19 +60,8 @@ class TableWriter {
     if (!variable.unit.empty()) put_attribute(file_, id, "units", variable.unit);
     put_attribute(file_, id, "long_name", variable.long_name);
     for (const auto& [name, value] : variable.attributes) put_attribute(file_, id, name, value);
-    if (!variable.flags.empty()) define_flags(id, variable.flags);
+    if (!variable.flags.empty()) put_flags(file_, id, NC_INT64, variable.flags);
     return id;
-  }
-
-  void define_flags(int id, const std::vector<std::string>& flags) {
-    std::vector<long long> numbers;
-    std::string words;
-    for (const auto& flag : flags) {
-      numbers.push_back(static_cast<long long>(numbers.size()));
-      words += (words.empty() ? "" : " ") + flag;
-    }
-    good(nc_put_att_longlong(file_, id, "flag_values", NC_INT64, numbers.size(), numbers.data()), "flag_values");
-    put_attribute(file_, id, "flag_meanings", words);
   }
 
   void put(int id, const TableVariable& variable) {

@@ -10,7 +10,7 @@ import look
 
 
 def filled(variable):
-    return np.ma.filled(np.ma.masked_invalid(variable[:]), np.nan).astype(float)
+    return np.ma.filled(np.ma.masked_invalid(np.ma.asarray(variable[:], dtype=float)), np.nan)
 
 
 def bounds(axes, data):
@@ -33,7 +33,7 @@ def growth_map(figure, axes, data):
     axes.set_xlabel("inertial number I")
     axes.set_ylabel("cells a side")
     bounds(axes, data)
-    axes.legend(loc="upper center", ncols=2, frameon=True)
+    axes.legend(loc="lower left", frameon=True)
     figure.colorbar(mesh, ax=axes, label="fastest growth over the shear rate")
     look.label(axes, 0, "the layer's operator: red grows, blue decays")
 
@@ -135,19 +135,50 @@ def mode_field(figure, axes, data, number, mode):
     look.label(axes, number, f"mode {mode}: {filled(data['mode_growth'])[mode]:.3g} 1/s, {abs(filled(data['mode_frequency'])[mode]):.3g} rad/s")
 
 
-def noise(axes, data, number):
-    """The disturbance of each grid in units of its mode's time, and the rates."""
+def courses(axes, data, number, row):
+    """A disturbance on each grid in units of its mode's time; what is not fitted, faint."""
     for i, colour in enumerate(look.sequence_colours(len(data.dimensions["growth_grid"]))):
-        t, amplitude = filled(data["growth_time"])[i], filled(data["growth_amplitude"])[i]
-        rate, predicted = filled(data["growth_rate"])[i], filled(data["growth_predicted"])[i]
-        axes.plot(t * abs(predicted), amplitude, color=colour,
-                  label=f"{data['growth_columns'][i]}x{data['growth_layers'][i]}: {rate:.4g} 1/s, modes {predicted:.4g}")
+        at = lambda name: filled(data[f"growth_{name}"])[row, i]
+        unit = abs(at("predicted"))
+        axes.plot(at("time") * unit, at("amplitude"), color=colour, linewidth=1.0, alpha=0.5)
+        axes.plot(at("time") * unit, at("others"), color=colour, linewidth=0.8, linestyle=":")
+        inside = (at("time") >= at("from")) & (at("time") <= at("to"))
+        fitted = np.isfinite(at("rate"))
+        rate = f"{at('rate'):.4g} 1/s" if fitted else "no rate"
+        axes.plot(at("time")[inside] * unit, at("amplitude")[inside], color=colour, linewidth=2.0 if fitted else 1.0,
+                  label=f"{at('columns'):.0f}x{at('layers'):.0f}: {rate}, modes {at('predicted'):.4g}")
     axes.set_yscale("log")
-    axes.set_xlabel("time over that of the grid's fastest mode")
-    axes.set_ylabel("departure from a uniform layer [m/s]")
+    # Waves that nothing disturbed begin at zero.
+    amplitude = filled(data["growth_amplitude"])[row]
+    if np.any(amplitude > 0.0):
+        axes.set_ylim(bottom=0.01 * np.nanmin(amplitude[amplitude > 0.0]))
+    axes.set_xlabel("time over that of the fastest disturbed mode")
+    axes.set_ylabel("rms of u [m/s]")
     axes.legend(loc="best", fontsize=8, frameon=True)
     look.grid(axes)
-    look.label(axes, number, "noise in time")
+    words = data["growth_verdict"].flag_meanings.split()[int(data["growth_verdict"][row])].replace("_", " ")
+    exponent = float(filled(data["growth_exponent"])[row])
+    words += f" as k^{exponent:.2f}" if words == "blows up" else ""
+    look.label(axes, number, f"{data['growth_name'][row]}: {words} (solid: fitted; dotted: other waves)")
+
+
+def rates(axes, data, number):
+    """Fitted rates over grids, against those of the modes."""
+    layers = filled(data["growth_layers"])
+    names = data["growth_name"][:]
+    for row, colour in enumerate((look.BLUE, look.ORANGE, look.GREEN, look.ACCENT, *look.sequence_colours(max(0, len(names) - 4)))[:len(names)]):
+        axes.errorbar(layers[row], filled(data["growth_rate"])[row], yerr=filled(data["growth_uncertainty"])[row], fmt="o", color=colour, markersize=5,
+                      capsize=3, label=names[row])
+        axes.plot(layers[row], filled(data["growth_predicted"])[row], "--", color=colour, linewidth=1.0)
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(layers[0], [f"{c:.0f}x{n:.0f}" for c, n in zip(filled(data["growth_columns"])[0], layers[0])])
+    axes.axhline(0.0, color=look.FAINT, linewidth=0.8)
+    axes.set_yscale("symlog", linthresh=10.0 ** np.ceil(np.log10(0.01 * np.nanmax(np.abs(filled(data["growth_predicted"]))))))
+    axes.set_xlabel("cells")
+    axes.set_ylabel("growth rate [1/s]")
+    axes.legend(loc="best", fontsize=8, frameon=True)
+    look.grid(axes)
+    look.label(axes, number, "growth rates in time; dashed: of the grid's modes")
 
 
 def draw(data, folder):
@@ -157,7 +188,9 @@ def draw(data, folder):
     if "wave_length" in data.variables:
         panels += [lambda f, a, d, n=len(panels): dispersion(a, d, n), lambda f, a, d, n=len(panels) + 1: wave_field(f, a, d, n)]
     if "growth_rate" in data.variables:
-        panels.append(lambda f, a, d, n=len(panels): noise(a, d, n))
+        for row in range(len(data.dimensions["growth_disturbance"])):
+            panels.append(lambda f, a, d, n=len(panels), row=row: courses(a, d, n, row))
+        panels.append(lambda f, a, d, n=len(panels): rates(a, d, n))
     if "mode_growth" in data.variables:
         n = len(panels)
         panels.append(lambda f, a, d, n=n: spectrum(a, d, n))

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "study/convergence.hpp"
+
 namespace talus::study {
 namespace {
 
@@ -58,17 +60,30 @@ GrowthFit fit_growth(std::span<const double> times, std::span<const double> ampl
 }
 
 std::string_view word_of(GrowthTendency tendency) {
-  constexpr std::array<std::string_view, 4> words{"decays", "converges", "blows up", "cannot tell"};
+  constexpr std::array<std::string_view, 5> words{"decays", "converges", "blows up", "not convergent", "cannot tell"};
   return words.at(static_cast<std::size_t>(tendency));
 }
 
+const std::vector<GrowthTendency>& growth_tendencies() {
+  using enum GrowthTendency;
+  static const std::vector<GrowthTendency> all{decays, converges, blows_up, not_convergent, cannot_tell};
+  return all;
+}
+
 GrowthVerdict growth_verdict(std::span<const GrowthFit> rates, double ratio) {
-  GrowthVerdict verdict{GrowthTendency::cannot_tell, none};
+  constexpr std::size_t fewest_grids = 3;
   const std::size_t n = rates.size();
-  if (n < 3 || std::ranges::any_of(rates, [](const GrowthFit& fit) { return !std::isfinite(fit.rate); }))
-    return verdict;
-  const auto last = rates.last(3);
-  if (std::ranges::all_of(last, [](const GrowthFit& fit) { return fit.rate > fit.uncertainty; })) {
+  if (n < fewest_grids) return {GrowthTendency::cannot_tell, none, static_cast<int>(fewest_grids - n)};
+  if (std::ranges::any_of(rates, [](const GrowthFit& fit) { return !std::isfinite(fit.rate); }))
+    return {GrowthTendency::cannot_tell, none, 1};
+  const auto grows = [](const GrowthFit& fit) { return fit.rate > fit.uncertainty; };
+  if (std::ranges::none_of(rates, grows)) return {GrowthTendency::decays, none};
+  const auto last = rates.last(fewest_grids);
+  const double before = last[1].rate - last[0].rate, now = last[2].rate - last[1].rate;
+  const bool agree = std::abs(now) <= last[1].uncertainty + last[2].uncertainty;
+  const bool all_grow = std::ranges::all_of(last, grows);
+  GrowthVerdict verdict{GrowthTendency::cannot_tell, none};
+  if (all_grow) {
     const std::array<double, 3> k{0.0, std::log(ratio), 2.0 * std::log(ratio)};
     const std::array<double, 3> y{std::log(last[0].rate), std::log(last[1].rate), std::log(last[2].rate)};
     verdict.exponent = line(k, y).slope;
@@ -77,10 +92,14 @@ GrowthVerdict growth_verdict(std::span<const GrowthFit> rates, double ratio) {
       return verdict;
     }
   }
-  if (std::ranges::all_of(rates, [](const GrowthFit& fit) { return fit.rate <= fit.uncertainty; }))
-    verdict.tendency = GrowthTendency::decays;
-  else if (std::abs(rates[n - 1].rate - rates[n - 2].rate) <= rates[n - 1].uncertainty + rates[n - 2].uncertainty)
+  if (agree || std::abs(now) <= std::abs(before) * std::pow(ratio, -least_order)) {
     verdict.tendency = GrowthTendency::converges;
+  } else if (all_grow && std::abs(now) >= std::abs(before)) {
+    verdict.tendency = GrowthTendency::not_convergent;
+  } else {
+    const auto growing = std::ranges::find_if_not(rates.rbegin(), rates.rend(), grows) - rates.rbegin();
+    verdict.finer = growing == 0 ? 1 : std::max(1, static_cast<int>(fewest_grids) - static_cast<int>(growing));
+  }
   return verdict;
 }
 

@@ -11,7 +11,6 @@
 namespace talus::sweep {
 namespace {
 
-constexpr int most_attempts = 2;
 constexpr double seconds_between_looks = 0.2;
 constexpr double seconds_between_manifests = 5.0;
 
@@ -70,7 +69,7 @@ class Runner {
       state.reason = "exit code " + std::to_string(code) + ", see " + folder_.member(member) + "/console.log";
     }
     manifest_.members[member] = state;
-    const bool again = state.status == Status::failed && attempts_[member] < most_attempts && stopped_by_ == 0;
+    const bool again = state.status == Status::failed && attempts_[member] < options_.attempts && stopped_by_ == 0;
     if (again) queue_.push_back(member);
     watch_.ended(member, state, again);
   }

@@ -19,6 +19,7 @@ Action next_action(const MemberState& state);
 struct RunnerOptions {
   int jobs = 1;         ///< members at a time
   std::string program;  ///< path of talus
+  int attempts = 2;     ///< of a member that fails
 };
 
 /// What the runner tells while it works.
@@ -31,8 +32,8 @@ class RunnerWatch {
   virtual void idle(std::size_t running, std::size_t left) = 0;
 };
 
-/// Runs what is not finished, each member as a process of `talus member`; one that fails is tried once more when the others are
-/// through. Keeps `manifest` and, every few seconds, its files up to date. After SIGINT, SIGTERM or SIGHUP the members
+/// Runs what is not finished, each member as a process of `talus member`; one that fails is tried again when the others are
+/// through, unless told otherwise. Keeps `manifest` and, every few seconds, its files up to date. After SIGINT, SIGTERM or SIGHUP the members
 /// are asked to stop (SIGTERM) and no other is started; after a second signal they are killed. Returns the signal, or 0.
 /// Throws core::OutputError.
 /// `scenes[i]` is the effective scene of member i. Preconditions: scenes and manifest are written, the folder is ours

@@ -85,6 +85,24 @@ TEST_F(RunFileTest, AttributesKeepTheirTypes) {
   EXPECT_TRUE(std::isnan(run.number("height", "_FillValue")));
 }
 
+TEST_F(RunFileTest, FlagsAreNumbersOfTheVariablesOwnType) {
+  struct Flagged : HeapFields {
+    [[nodiscard]] std::vector<core::Variable> variables() const override {
+      auto all = HeapFields::variables();
+      all.at(2).flags = {"slow", "fast"};
+      return all;
+    }
+  } fields;
+  RunFile(folder / "flags.nc", fields, {}).close();
+  const NcReader run(folder / "flags.nc");
+  EXPECT_EQ(run.text("speed", "flag_meanings"), "slow fast");
+  EXPECT_EQ(run.attribute_type("speed", "flag_values"), run.type("speed"));
+  float values[2] = {};
+  ASSERT_EQ(nc_get_att_float(run.file(), run.variable("speed"), "flag_values", values), NC_NOERR);
+  EXPECT_EQ(values[0], 0.0F);
+  EXPECT_EQ(values[1], 1.0F);
+}
+
 TEST_F(RunFileTest, TopologyIsAnIntegerThatCarriesIntegers) {
   const NcReader run(path);
   EXPECT_EQ(run.type("mesh"), NC_INT);

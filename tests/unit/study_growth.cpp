@@ -49,10 +49,23 @@ TEST(Growth, VerdictsOnPlantedRates) {
   EXPECT_NEAR(blows.exponent, 2.0, 0.05);
   EXPECT_EQ(growth_verdict(std::vector{rate(-1.0), rate(-1.2), rate(-1.3)}, 2.0).tendency, GrowthTendency::decays);
   EXPECT_EQ(growth_verdict(std::vector{rate(0.2), rate(0.5), rate(0.51)}, 2.0).tendency, GrowthTendency::converges);
-  EXPECT_EQ(growth_verdict(std::vector{rate(-0.5), rate(-0.1), rate(2.0)}, 2.0).tendency, GrowthTendency::cannot_tell)
-      << "the finest grid alone grows";
-  EXPECT_EQ(growth_verdict(std::vector{rate(1.0), rate(4.0)}, 2.0).tendency, GrowthTendency::cannot_tell)
-      << "two grids";
+  EXPECT_EQ(growth_verdict(std::vector{rate(-1.0), rate(2.0), rate(3.0), rate(3.4)}, 2.0).tendency,
+            GrowthTendency::converges)
+      << "differences fall at order 1.3";
+  EXPECT_EQ(growth_verdict(std::vector{rate(5.0), rate(6.0), rate(7.2)}, 2.0).tendency, GrowthTendency::not_convergent)
+      << "they rise, but slower than any root of k";
+}
+
+TEST(Growth, GridsThatCannotTellSayHowManyMoreMay) {
+  const auto finest_alone = growth_verdict(std::vector{rate(-0.5), rate(-0.1), rate(2.0)}, 2.0);
+  EXPECT_EQ(finest_alone.tendency, GrowthTendency::cannot_tell);
+  EXPECT_EQ(finest_alone.finer, 2) << "three that grow are needed";
+  const auto slow = growth_verdict(std::vector{rate(4.0), rate(5.0), rate(5.9)}, 2.0);
+  EXPECT_EQ(slow.tendency, GrowthTendency::cannot_tell) << "differences fall, at order 0.15";
+  EXPECT_EQ(slow.finer, 1);
+  const auto two_grids = growth_verdict(std::vector{rate(1.0), rate(4.0)}, 2.0);
+  EXPECT_EQ(two_grids.tendency, GrowthTendency::cannot_tell);
+  EXPECT_EQ(two_grids.finer, 1);
 }
 
 }  // namespace

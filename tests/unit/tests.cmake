@@ -45,6 +45,7 @@ add_test(NAME plot COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/unit/plot
 add_test(NAME plot_verdicts COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/unit/plot_verdicts.py)
 set_tests_properties(plot plot_verdicts PROPERTIES LABELS unit)
 talus_test(unit layering ROOMS grid)
+talus_test(unit layer_disturbance ROOMS layer)
 talus_test(unit linear_solvers ROOMS core linear)
 talus_test(unit ida_time ROOMS core linear bridge ida)
 talus_test(unit ida_failures ROOMS core linear bridge ida)

@@ -17,13 +17,13 @@ constexpr double degree = 0.017453292519943295;
 
 /// A Bagnold layer of 12 mm at 30 degrees, by KINSOL.
 std::vector<std::string> bagnold(const std::filesystem::path& out, const std::vector<std::string>& more,
-                                 const std::string& layers = "10") {
+                                 const std::string& layers = "10", const std::string& times = "[]") {
   std::vector<std::string> words{"study", "converge", TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml", "--out",
                                  out.string()};
   for (const char* set : {"model.name=column", "integrator.method=steady", "wall.mu_w=0", "box.tilt=30",
-                          "rheology.p_0=0", "rheology.eta_max=1e9", "grid.spacing=uniform", "output.times=[]"})
+                          "rheology.p_0=0", "rheology.eta_max=1e9", "grid.spacing=uniform"})
     words.insert(words.end(), {"--set", set});
-  words.insert(words.end(), {"--set", "grid.layers=" + layers});
+  words.insert(words.end(), {"--set", "grid.layers=" + layers, "--set", "output.times=" + times});
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -63,6 +63,27 @@ TEST(StudyConverge, FindsOrderAndLimitOfBagnoldsFlow) {
   ASSERT_EQ(again.code, 0) << again.output;
   EXPECT_NE(again.output.find("5 finished (4 of them before)"), std::string::npos) << again.output;
   EXPECT_EQ(verdict_in(out)["numbers"]["flow_per_width"]["orders"].size(), 3U);
+}
+
+/// Records of a steady state that is the end's are no further numbers; that of a box that has moved since is one.
+TEST(StudyConverge, ASteadyStateIsToldOnce) {
+  const support::TemporaryFolder folder;
+  const auto numbers_of = [&](const std::string& name, const std::vector<std::string>& more) {
+    auto words = bagnold(folder / name, {"--levels", "2"}, "10", "[0.5, 1.5]");
+    words.insert(words.end(), more.begin(), more.end());
+    const auto run = support::outcome_of(TALUS_PROGRAM, words);
+    EXPECT_EQ(run.code, 0) << run.output;
+    return verdict_in(folder / name)["numbers"];
+  };
+  const auto still = numbers_of("still", {});
+  EXPECT_TRUE(still.contains("flow_per_width"));
+  EXPECT_FALSE(still.contains("flow_per_width@0.5"));
+  EXPECT_FALSE(still.contains("flow_per_width@1.5"));
+  const auto turned =
+      numbers_of("turned", {"--set", "schedule.times=[0.0, 1.0]", "--set", "schedule.tilt=[30.0, 28.0]"});
+  EXPECT_FALSE(turned.contains("flow_per_width@1.5"));
+  ASSERT_TRUE(turned.contains("flow_per_width@0.5"));
+  EXPECT_GT(turned["flow_per_width@0.5"]["values"][0], turned["flow_per_width"]["values"][0]);
 }
 
 TEST(StudyConverge, TwoLevelsGiveNoOrder) {

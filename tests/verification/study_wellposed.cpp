@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "support/program.hpp"
 
@@ -40,6 +41,8 @@ TEST(StudyWellposed, TheClassicalLawIsIllPosedAtLowAndHighInertialNumbers) {
                                                       "--set", "rheology.law=classical"});
   ASSERT_EQ(found.run.code, 0) << found.run.output;
   EXPECT_EQ(verdicts(found), (std::vector<std::string>{"ill-posed", "well-posed", "ill-posed"}));
+  EXPECT_EQ(found.verdict["verdict"], "blows up");
+  EXPECT_NEAR(found.verdict["rate_exponent"].get<double>(), 2.0, 0.1);
   for (const int i : {0, 2}) {
     const auto& point = found.verdict["symbol"]["points"][i];
     EXPECT_NEAR(point["rate_exponent"].get<double>(), 2.0, 0.1) << "growth as k^2";
@@ -57,6 +60,7 @@ TEST(StudyWellposed, TheRegularisedLawIsWellPosedUpToTheLossOfEllipticity) {
   ASSERT_EQ(found.run.code, 0) << found.run.output;
   EXPECT_EQ(verdicts(found), (std::vector<std::string>{"well-posed", "well-posed", "well-posed", "well-posed",
                                                        "ill-posed", "ill-posed"}));
+  EXPECT_EQ(found.verdict["verdict"], "convergent") << "at the inertial numbers of its own steady flow";
   for (const int i : {2, 3}) {
     const auto& point = found.verdict["symbol"]["points"][i];
     EXPECT_GT(point["C"].get<double>(), 0.0);
@@ -100,26 +104,92 @@ TEST(StudyWellposed, ModesOfAUniformLayerTellTheLawsApart) {
   }
 }
 
-/// The same noise on three grids: at I = 0.014 the classical law's grows the faster the finer the grid, the regularised law's decays on all; each
-/// at the rate of its grid's own modes.
-TEST(StudyWellposed, NoiseTellsTheLawsApartInTime) {
-  for (const auto& [law, truth] : {std::pair{"classical", "blows up"}, {"partially_regularised", "decays"}}) {
-    std::vector<std::string> words{"--parts", "time", "--levels", "3"};
-    for (const std::string set : {"wall.mu_w=0", "box.tilt=22.05", "box.length=0.1", "model.initial_thickness=0.01",
-                                  "grid.layers=12", "grid.columns=8", "grid.spacing=uniform", "rheology.p_0=0",
-                                  "rheology.eta_max=1e8", "model.advection=central"})
-      words.insert(words.end(), {"--set", set});
-    words.insert(words.end(), {"--set", std::string("rheology.law=") + law});
-    const auto found = study("examples/chute_periodic.toml", words);
+/// Bagnold's flow of 10 mm at an angle [degree], on `columns` by `layers` cells and their refinements.
+Study disturbed(const support::TemporaryFolder& folder, const std::string& law, const std::string& angle,
+                const std::string& levels, const std::string& columns, const std::string& layers) {
+  std::vector<std::string> words{"study",
+                                 "wellposed",
+                                 TALUS_SOURCE_DIR "/runs/examples/chute_periodic.toml",
+                                 "--out",
+                                 (folder / law).string(),
+                                 "--parts",
+                                 "time",
+                                 "--jobs",
+                                 "2",
+                                 "--levels",
+                                 levels,
+                                 "--single",
+                                 "1"};
+  for (const std::string& set :
+       {std::string("wall.mu_w=0"), std::string("box.length=0.1"), std::string("model.initial_thickness=0.01"),
+        std::string("grid.spacing=uniform"), std::string("rheology.p_0=0"), std::string("rheology.eta_max=1e8"),
+        std::string("model.advection=central"), "rheology.law=" + law, "box.tilt=" + angle, "grid.columns=" + columns,
+        "grid.layers=" + layers})
+    words.insert(words.end(), {"--set", set});
+  Study result{support::outcome_of(TALUS_PROGRAM, words), {}};
+  const auto text = support::contents(folder / law / "verdict.json");
+  if (!text.empty()) result.verdict = Json::parse(text);
+  return result;
+}
+
+const Json& disturbance(const Study& study, const std::string& name) {
+  for (const auto& each : study.verdict.at("time").at("disturbances"))
+    if (each.at("disturbance") == name) return each;
+  throw std::runtime_error("no disturbance " + name);
+}
+
+/// The same disturbances on three grids: at I = 0.014 the classical law's grow the faster the finer the grid, the regularised law's decay on all; noise
+/// grows at the rate of its grid's own modes.
+TEST(StudyWellposed, DisturbancesTellTheLawsApartInTime) {
+  const support::TemporaryFolder folder;
+  for (const auto& [law, verdict, of_noise] :
+       {std::tuple{"classical", "blows up", "blows up"}, std::tuple{"partially_regularised", "convergent", "decays"}}) {
+    const auto found = disturbed(folder, law, "22.05", "3", "8", "12");
     ASSERT_EQ(found.run.code, 0) << found.run.output;
-    const auto& time = found.verdict.at("time");
-    EXPECT_EQ(time.at("verdict"), truth) << found.run.output;
-    for (const int grid : {0, 1}) {
-      const auto& run = time.at("runs").at(grid);
-      EXPECT_NEAR(run.at("rate_1_s").get<double>() / run.at("rate_of_modes_1_s").get<double>(), 1.0, 0.05)
-          << law << ", grid " << grid;
-    }
+    EXPECT_EQ(found.verdict.at("verdict"), verdict) << found.run.output;
+    EXPECT_EQ(found.verdict.at("by"), "disturbances in time on 3 grids");
+    EXPECT_EQ(disturbance(found, "grid noise").at("verdict"), of_noise);
+    for (const auto& name : {"noise", "grid noise"})
+      for (const int grid : {0, 1}) {
+        const auto& run = disturbance(found, name).at("runs").at(grid);
+        EXPECT_NEAR(run.at("rate_1_s").get<double>() / run.at("rate_of_modes_1_s").get<double>(), 1.0, 0.05)
+            << law << ", " << name << ", grid " << grid;
+        EXPECT_TRUE(run.at("broke_down").is_null());
+        EXPECT_GT(run.at("points"), 20);
+      }
+    // The coarsest grid is its own: its noise is the grid's.
+    EXPECT_EQ(disturbance(found, "noise").at("runs").at(0), disturbance(found, "grid noise").at("runs").at(0));
+    EXPECT_EQ(disturbance(found, "wave 1").at("runs").at(1).at("last_wave"), 1);
+    EXPECT_EQ(disturbance(found, "grid noise").at("runs").at(1).at("last_wave"), 7);
+    const auto& theory = found.verdict.at("time").at("ill_posed_in_theory");
+    EXPECT_EQ(theory.is_null(), std::string(law) != "classical");
+    EXPECT_TRUE(std::filesystem::exists(folder / law / "study.nc"));
+    EXPECT_TRUE(std::filesystem::exists(folder / law / "study.png")) << found.run.output;
   }
+}
+
+/// Two grids cannot tell, and name the next; with a third the first two are not run again.
+TEST(StudyWellposed, MoreGridsGoOnFromThoseThatWereRun) {
+  const support::TemporaryFolder folder;
+  const auto two = disturbed(folder, "partially_regularised", "22.05", "2", "5", "4");
+  ASSERT_EQ(two.run.code, 0) << two.run.output;
+  EXPECT_EQ(two.verdict.at("verdict"), "cannot tell");
+  EXPECT_EQ(two.verdict.at("grid_that_may_tell"), "20x16");
+  const auto three = disturbed(folder, "partially_regularised", "22.05", "3", "5", "4");
+  ASSERT_EQ(three.run.code, 0) << three.run.output;
+  EXPECT_NE(three.run.output.find("9 members: 9 finished (6 of them before)"), std::string::npos) << three.run.output;
+}
+
+/// Grids that show no growth where linear theory knows of some cannot tell: the symbol names the one that would.
+TEST(StudyWellposed, GridsThatHideGrowthCannotTell) {
+  const support::TemporaryFolder folder;
+  const auto found = disturbed(folder, "classical", "22.45", "3", "5", "4");
+  ASSERT_EQ(found.run.code, 0) << found.run.output;
+  EXPECT_EQ(disturbance(found, "grid noise").at("verdict"), "decays") << found.run.output;
+  EXPECT_EQ(found.verdict.at("verdict"), "cannot tell");
+  EXPECT_EQ(found.verdict.at("time").at("ill_posed_in_theory").at("share_of_thickness"), 1.0);
+  EXPECT_EQ(found.verdict.at("time").at("ill_posed_in_theory").at("seen_from_cells"), 64);
+  EXPECT_EQ(found.verdict.at("grid_that_may_tell"), "80x64");
 }
 
 TEST(StudyWellposed, BadInputIsNamed) {
@@ -135,6 +205,12 @@ TEST(StudyWellposed, BadInputIsNamed) {
             std::string::npos);
   EXPECT_NE(refuse({"--I", "0,1"}).find("--I: expected inertial numbers above 0"), std::string::npos);
   EXPECT_NE(refuse({"--parts", "space"}).find("--parts"), std::string::npos);
+  EXPECT_NE(
+      refuse({"--parts", "time", "--single", "2"}).find("--single: expected whole waves over the box from 1 to 1"),
+      std::string::npos);
+  EXPECT_NE(refuse({"--set", "disturbance.speed=1e-4", "--set", "disturbance.first_wave=2"})
+                .find("disturbance.first_wave: the columns carry waves of more than two of them; expected at most 1"),
+            std::string::npos);
 }
 
 }  // namespace
