@@ -196,8 +196,7 @@ double leaving(const View& v, double sign) {
 /// Of a layer that was disturbed at the start.
 std::vector<Entry> wave_numbers() {
   const auto one = [](const char* name, const char* long_name, double WaveParts::*part) {
-    return Entry{{name, {}, "m s-1", long_name, core::Storage::double_precision, false, {}},
-                 number([part](const View& v) { return v.waves.*part; })};
+    return Fields::scalar(name, "m s-1", long_name, [part](const View& v) { return v.waves.*part; });
   };
   return {one("disturbance_speed", "root mean square of u in the waves along x that were disturbed at the start",
               &WaveParts::disturbed),
@@ -240,8 +239,8 @@ std::vector<Entry> numbers(double first_mass) {
 std::vector<Entry> shares() {
   std::vector<Entry> all;
   for (const auto& share : diagnostics::share_numbers())
-    all.push_back({{share.name, {}, "1", share.long_name, core::Storage::double_precision, false, {}},
-                   Fields::number([value = share.value](const View& v) { return value(v.shares); })});
+    all.push_back(Fields::scalar(share.name, "1", share.long_name,
+                                 [value = share.value](const View& v) { return value(v.shares); }));
   return all;
 }
 

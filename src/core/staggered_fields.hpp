@@ -85,9 +85,10 @@ struct StaggeredFields {
             std::move(fill)};
   }
   /// A number of each record.
-  static Entry scalar(const char* name, const char* unit, const char* long_name,
+  static Entry scalar(std::string name, std::string unit, std::string long_name,
                       std::function<double(const View&)> value) {
-    return {{name, {}, unit, long_name, Storage::double_precision, false, {}}, number(std::move(value))};
+    return {{std::move(name), {}, std::move(unit), std::move(long_name), Storage::double_precision, false, {}},
+            number(std::move(value))};
   }
 
   static std::vector<std::pair<std::string, std::size_t>> dimensions(std::size_t columns, std::size_t layers) {
