@@ -119,6 +119,7 @@ class Search {
     n_known_ = found_.modes.size();
     const bool complete = solver.info() == Spectra::CompInfo::Successful;
     found_.searched.push_back({shift, complete ? radius : 0.0, n_found});
+    options_.progress(found_.searched.back());
   }
 
   /// Of a mode found from two shifts the one that fits its equation better; modes of one rate about one shift are several. `distance`: of the

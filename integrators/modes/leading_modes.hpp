@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "core/dae_system.hpp"
@@ -8,6 +9,13 @@
 
 namespace talus::modes {
 
+/// What was searched about one shift.
+struct Searched {
+  double shift;
+  double radius;  ///< every rate nearer to the shift than this was found [1/s]; 0 where the search did not converge
+  int n_found;
+};
+
 struct LeadingOptions {
   std::vector<double> shifts;  ///< real, [1/s]: the rates nearest to each are sought
   int n_modes = 10;            ///< about each shift
@@ -15,13 +23,7 @@ struct LeadingOptions {
   double tolerance = 1e-9;     ///< relative, of 1/(shift - rate)
   int max_restarts = 300;
   linear::Settings linear;
-};
-
-/// What was searched about one shift.
-struct Searched {
-  double shift;
-  double radius;  ///< every rate nearer to the shift than this was found [1/s]; 0 where the search did not converge
-  int n_found;
+  std::function<void(const Searched&)> progress = [](const Searched&) {};  ///< told of each shift that is done
 };
 
 struct LeadingModes {

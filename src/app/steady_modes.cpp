@@ -106,6 +106,12 @@ void describe_grid(const layer::Layer& layer, std::span<const double> y, SteadyM
       study.height_of_layers.push_back(0.5 * (context.z[context.at(i, k)] + context.z[context.at(i, k + 1)]));
 }
 
+void tell(const modes::Searched& about) {
+  if (about.radius > 0.0)
+    std::fprintf(stderr, "  about %g 1/s: %d modes, all within %.4g 1/s\n", about.shift, about.n_found, about.radius);
+  else std::fprintf(stderr, "  about %g 1/s: %d modes, not all that were sought\n", about.shift, about.n_found);
+}
+
 /// Frequencies [rad/s] up to which no mode that grows faster than `growth` can have been missed.
 double complete_up_to(const SteadyModes& study, double growth) {
   double frequency = 0.0;
@@ -142,8 +148,9 @@ std::optional<SteadyModes> steady_modes(const SteadyModesRequest& request) {
   describe_grid(layer, steady.current().y, study);
 
   std::fprintf(stderr, "modes of %lld unknowns ...\n", static_cast<long long>(layer.layout().size()));
-  study.found = modes::leading_modes(layer, study.time, steady.current().y,
-                                     {.shifts = shifts(), .n_modes = 12, .n_vectors = 60, .linear = options.linear});
+  study.found = modes::leading_modes(
+      layer, study.time, steady.current().y,
+      {.shifts = shifts(), .n_modes = 40, .n_vectors = 160, .linear = options.linear, .progress = tell});
   study.n_neutral = static_cast<int>(std::erase_if(study.found.modes, is_neutral));
   for (const auto& mode : study.found.modes) {
     if (study.u.size() == most_kept) break;
