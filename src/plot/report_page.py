@@ -171,7 +171,8 @@ def scene_of(run):
 
 
 def statistics_of(run, summary):
-    counts = [[text(str(name)[2:].replace("_", " ")), f"{run.series(name)[-1]:,.0f}"] for name in run.data if str(name).startswith("n_")]
+    counts = [[text(str(name)[2:].replace("_", " ")), f"{run.series(name)[-1]:,.0f}"] for name in run.data
+              if str(name).startswith("n_") and "series_time" in run.data[name].dims]
     parts = [("Counts", page.table([], counts, "numbers")), ("CPU seconds", page.table(*cpu_table(run), "numbers"))]
     if "wall_seconds" in summary:
         parts.append(("All in all", page.table([], [("wall time", f"{summary['wall_seconds']:.1f} s"), ("CPU time", f"{summary['cpu_seconds']:.1f} s"),
