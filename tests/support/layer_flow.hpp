@@ -82,10 +82,11 @@ inline FlowErrors errors(const layer::Layer& system, const ExactFlow& flow, doub
 }
 
 /// Carries y (shape n) from t_0 to t_1 [s], at a relative tolerance `rtol`.
-inline void integrate(const layer::Layer& system, double t_0, double t_1, std::vector<double>& y, double rtol) {
+inline void integrate(const layer::Layer& system, double t_0, double t_1, std::vector<double>& y, double rtol,
+                      const ida::NewtonOptions& newton = {}) {
   ida::Options options;
   options.rtol = rtol;
-  options.newton.tolerance = 1e-3;  // what Newton's method leaves is an error, too
+  options.newton = newton;
   ida::Ida integrator(system, options);
   core::Observer nobody;
   const std::vector<double> rest(y.size(), 0.0);

@@ -38,7 +38,8 @@ void expect_profiles(const char* name, const nlohmann::json& samples, const std:
     h.push_back(1.0 / n);
     double last = 0.0;
     for (std::size_t j = 0; j < times.size(); ++j) {
-      tests::integrate(system, last, times[j], y, 1e-7);
+      // What Newton's method leaves is an error of w, where the flow has none.
+      tests::integrate(system, last, times[j], y, 1e-7, {.tolerance = 1e-3});
       last = times[j];
       const auto e = tests::errors(
           system,
