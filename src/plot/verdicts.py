@@ -117,13 +117,16 @@ def steadiness(run, summary):
     first = run.series_times[0] + 0.9 * (end - run.series_times[0])
     last = np.flatnonzero(run.series_times <= end)[-1]
     begin = int(np.argmin(np.abs(run.series_times - first)))
+    if begin == last:
+        raise Missing("the last tenth of the time holds one record only")
     when = f"between {look.seconds(run.series_times[begin])} and {look.seconds(run.series_times[last])}"
     if float(run.attribute("inflow_rate_kg_s", 0.0)) > 0.0:
         out = sum(mass[last] - mass[begin] for mass in (run.series("mass_outflow_right"), run.series("mass_outflow_left")))
         ratio = out / (run.series("mass_inflow")[last] - run.series("mass_inflow")[begin])
         words = f"Outflow over inflow {when}"
         if run.has("heap_angle"):
-            words += f"; the slope changed by {run.series('heap_angle')[last] - run.series('heap_angle')[begin]:+.2f}° in that time"
+            change = run.series("heap_angle")[last] - run.series("heap_angle")[begin]
+            words += f"; the slope changed by {change:+.2f}° in that time" if np.isfinite(change) else "; no face is long enough for a slope"
         return judge(abs(ratio - 1.0), STEADY), f"{100.0 * ratio:.1f} % flows out again", words + "."
     if not run.has("mass_flow"):
         raise Missing("nothing is poured, and the model tells no mass flow")
