@@ -19,10 +19,11 @@ int divided(int cells, int divisor, int fewest) { return std::min(cells, std::ma
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{
       {"draft", "a fifth of the columns, a quarter of the layers, three times rtol", 5, 4, 3.0,
-       "60x8: slope off the exact one by 0.45 degrees, stored mass off that of fine by 1 to 5 %; 2.8 s of CPU"},
+       "60x8: slope off the exact one by 0.45 degrees, stored mass off that of fine by 1 to 5 %; 3.7 s of CPU"},
       {"standard", "half the columns, half the layers", 2, 2, 1.0,
-       "150x16: slope off by 0.28 degrees, mass by 0.3 %; 25 s of CPU"},
-      {"fine", "the scene as its file states it", 1, 1, 1.0, "300x32: slope off by 0.21 degrees; 141 to 152 s of CPU"}};
+       "150x16: slope off by 0.28 degrees, mass by 0.3 %; 26 s of CPU, 20 s on two cores"},
+      {"fine", "the scene as its file states it", 1, 1, 1.0,
+       "300x32: slope off by 0.21 degrees; 168 s of CPU, 117 s on two cores"}};
   return all;
 }
 
@@ -56,7 +57,7 @@ std::string explain_presets() {
   std::string out = "Presets of `talus run SCENE.toml --preset NAME`; what --set states wins over them.\n\n";
   for (const auto& preset : presets()) out += preset.name + ": " + preset.doc + ".\n  " + preset.measured + "\n";
   return out +
-         "\nMeasured on runs/examples/heap_q46.toml, 320 s of growth and drain, on 2026-11-26, on busy cores; `talus "
+         "\nMeasured on runs/examples/heap_q46.toml, 320 s of growth and drain, on 2026-11-26, on quiet cores; `talus "
          "study trade` "
          "measures other "
          "scenes.\n";
