@@ -192,6 +192,22 @@ TEST(StudyWellposed, GridsThatHideGrowthCannotTell) {
   EXPECT_EQ(found.verdict.at("grid_that_may_tell"), "80x64");
 }
 
+/// Tolerances below rounding break every run down: where and when is told, the study ends as usual.
+TEST(StudyWellposed, ARunThatBreaksDownIsAResult) {
+  const auto found = study("examples/chute_periodic.toml",
+                           {"--parts", "time", "--levels", "2", "--set", "rheology.law=classical", "--set",
+                            "box.tilt=22.05", "--set", "grid.columns=8", "--set", "grid.layers=12", "--set",
+                            "integrator.rtol=1e-12", "--set", "integrator.atol_velocity=1e-15"});
+  ASSERT_EQ(found.run.code, 0) << found.run.output;
+  EXPECT_EQ(found.verdict.at("verdict"), "cannot tell");
+  const auto run = disturbance(found, "noise").at("runs").at(0);
+  EXPECT_NE(run.at("broke_down").get<std::string>().find("IDA gave up"), std::string::npos);
+  EXPECT_TRUE(run.at("rate_1_s").is_null());
+  EXPECT_EQ(run.at("reached_s"), 0.0);
+  EXPECT_GE(run.at("strongest_wave_at_end"), 1);
+  EXPECT_GT(run.at("largest_at_end_m").at("z"), 0.0);
+}
+
 TEST(StudyWellposed, BadInputIsNamed) {
   const auto refuse = [](std::vector<std::string> words) {
     const support::TemporaryFolder folder;
