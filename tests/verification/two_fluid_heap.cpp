@@ -14,6 +14,15 @@ namespace {
 
 using namespace talus;
 
+/// That class, C, nu, q and growth of the grains in a cell say the same.
+void expect_one_class(const two_fluid::CellState& s) {
+  using enum diagnostics::FlowClass;
+  EXPECT_NEAR(s.C, s.q * s.q - 4.0 * s.nu * (1.0 - s.nu), 1e-12);
+  EXPECT_EQ(s.flow_class == capped, s.capped);
+  EXPECT_EQ(s.flow_class == well_posed, !s.capped && s.C <= 0.0);
+  EXPECT_EQ(s.flow_class == ill_posed, s.growth_per_k2 > 0.0);
+}
+
 TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
   const auto scene =
       app::read_scene(TALUS_SOURCE_DIR "/runs/benchmarks/two_fluid_heap.toml", {"grid.columns=30", "grid.layers=15"});
@@ -38,7 +47,10 @@ TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
       const double phi = now.y[at.phi(i, k)];
       const double mass = phi * g.dx(i) * g.dz(k) * system.context(t).grains_across();
       stored += mass;
-      if (phi > two_fluid::dense) dense += mass;
+      if (phi > two_fluid::dense) {
+        dense += mass;
+        expect_one_class(two_fluid::cell_state(system, system.context(t), now.y, i, k));
+      }
       least = std::min(least, phi), most = std::max(most, phi);
     }
     for (int i = 0; i < 30; ++i) highest = std::max(highest, two_fluid::heap_height(system, now.y, i));
