@@ -237,11 +237,7 @@ std::vector<Entry> numbers(double first_mass) {
 }
 
 std::vector<Entry> shares() {
-  std::vector<Entry> all;
-  for (const auto& share : diagnostics::share_numbers())
-    all.push_back(Fields::scalar(share.name, "1", share.long_name,
-                                 [value = share.value](const View& v) { return value(v.shares); }));
-  return all;
+  return Fields::shares(diagnostics::share_numbers(), [](const View& v) { return v.shares; });
 }
 
 std::vector<Entry> entries(const Layer& layer) {

@@ -91,6 +91,16 @@ struct StaggeredFields {
             number(std::move(value))};
   }
 
+  /// Numbers without unit that have a name, a long_name and a value of what `part` takes from a view.
+  template <class Numbers, class Part>
+  static Entries shares(const Numbers& numbers, Part part) {
+    Entries all;
+    for (const auto& number : numbers)
+      all.push_back(scalar(number.name, "1", number.long_name,
+                           [value = number.value, part](const View& v) { return value(part(v)); }));
+    return all;
+  }
+
   static std::vector<std::pair<std::string, std::size_t>> dimensions(std::size_t columns, std::size_t layers) {
     return {{"column", columns}, {"face", columns + 1}, {"layer", layers}, {"interface", layers + 1}};
   }
