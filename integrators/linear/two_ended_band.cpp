@@ -120,52 +120,34 @@ void TwoEndedBand<Real>::measure(Part& part) const {
 }
 
 template <class Real>
+void TwoEndedBand<Real>::pack(Part& part) const {
+  part.factors.pack({part.n, store_.data() + part.band + 2 * width_, leading(), width_, 2 * width_, part.pivots.data(),
+                     part.below.data(), part.above.data()},
+                    window(part));
+}
+
+template <class Real>
 void TwoEndedBand<Real>::factor() {
   std::vector<Real> schur[2];
   if (separator_ == 0) {
     factor_part(part_[0], schur[0]);
+    pack(part_[0]);
     return;
   }
   both(
       blas_allows_threads(), [&] { factor_part(part_[0], schur[0]); }, [&] { factor_part(part_[1], schur[1]); });
+  both(
+      true, [&] { pack(part_[0]); }, [&] { pack(part_[1]); });
   for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = store_[middle_ + i] - schur[0][i] - schur[1][i];
   if (lapack::factor_dense(static_cast<int>(separator_), joined_.data(), joined_pivots_.data()) != 0)
     throw SingularMatrix("LAPACK getrf: the separator's matrix is singular", -1);
 }
 
-/// L^-1 P on rows from `first` on; b points at row `first`.
-template <class Real>
-void TwoEndedBand<Real>::forward(const Part& part, Index first, Real* b) const {
-  for (Index j = first; j < part.n; ++j) {
-    const Index pivot = part.pivots[j] - 1;
-    Real* at = b + (j - first);
-    if (pivot != j) std::swap(*at, b[pivot - first]);
-    const Real value = *at;
-    const Real* l = column(part, j);
-    const Index reach = part.below[j];
-    for (Index i = 1; i <= reach; ++i) at[i] -= l[i] * value;
-  }
-}
-
-/// U^-1 on rows from `first` on, whose solution does not depend on the rows before.
-template <class Real>
-void TwoEndedBand<Real>::backward(const Part& part, Index first, Real* b) const {
-  for (Index j = part.n - 1; j >= first; --j) {
-    Real* at = b + (j - first);
-    const Real* u = column(part, j);
-    const Real value = *at /= *u;
-    const Index reach = std::min<Index>(part.above[j], j - first);
-    Real* top = at - reach;
-    const Real* u_top = u - reach;
-    for (Index i = 0; i < reach; ++i) top[i] -= u_top[i] * value;
-  }
-}
-
 template <class Real>
 void TwoEndedBand<Real>::solve(std::span<Real> b) const {
   if (separator_ == 0) {
-    forward(part_[0], 0, b.data());
-    backward(part_[0], 0, b.data());
+    part_[0].factors.forward(0, b.data());
+    part_[0].factors.backward(0, b.data());
     return;
   }
   std::vector<Real> right(b.rbegin(), b.rbegin() + part_[1].n);
@@ -174,10 +156,10 @@ void TwoEndedBand<Real>::solve(std::span<Real> b) const {
   std::vector<Real> seen[2];
   const auto descend = [&](int s) {
     const Part& part = part_[s];
-    forward(part, 0, side[s]);
+    part.factors.forward(0, side[s]);
     const Index w = window(part), first = part.n - w;
     std::vector<Real> y(side[s] + first, side[s] + part.n);
-    backward(part, first, y.data());
+    part.factors.backward(first, y.data());
     seen[s].assign(separator_, Real(0));
     for (Index j = 0; j < w; ++j) {
       const Real* from = store_.data() + part.from + j * separator_;
@@ -196,9 +178,9 @@ void TwoEndedBand<Real>::solve(std::span<Real> b) const {
       const Real* to = store_.data() + part.to + j * w;
       for (Index i = 0; i < w; ++i) pulled[i] += to[i] * middle[j];
     }
-    forward(part, first, pulled.data());
+    part.factors.forward(first, pulled.data());
     for (Index i = 0; i < w; ++i) side[s][first + i] -= pulled[i];
-    backward(part, 0, side[s]);
+    part.factors.backward(0, side[s]);
   };
   both(
       true, [&] { ascend(0); }, [&] { ascend(1); });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linear/direct_solver.hpp"
+#include "linear/packed_factors.hpp"
 
 namespace talus::linear {
 
@@ -49,6 +50,7 @@ class TwoEndedBand {
     std::vector<int> last_column;  ///< of each row
     std::vector<int> below;        ///< entries of L below the diagonal of each column
     std::vector<int> above;        ///< entries of U above it
+    PackedFactors<Real> factors;   ///< for substitution
   };
   [[nodiscard]] Index leading() const { return 3 * width_ + 1; }
   [[nodiscard]] Index window(const Part& part) const { return part.n < 2 * width_ ? part.n : 2 * width_; }
@@ -62,14 +64,10 @@ class TwoEndedBand {
     if (i < left_ + separator_) return {2, i - left_};
     return {1, n_ - 1 - i};
   }
-  [[nodiscard]] const Real* column(const Part& part, Index j) const {
-    return store_.data() + part.band + j * leading() + 2 * width_;
-  }
   /// How far the factors reach, from what was announced and the rows that were exchanged.
   void measure(Part& part) const;
   void factor_part(Part& part, std::vector<Real>& schur);
-  void forward(const Part& part, Index first, Real* b) const;
-  void backward(const Part& part, Index first, Real* b) const;
+  void pack(Part& part) const;
 
   Index n_ = 0, width_ = 0, left_ = 0, separator_ = 0, size_ = 0, middle_ = 0;
   Part part_[2];
