@@ -5,7 +5,15 @@
 #include <sstream>
 #include <utility>
 
+#include "core/both.hpp"
+
 namespace talus::linear {
+namespace {
+
+/// Rows among which single precision looks for pivots. Where that is not enough, double precision looks everywhere.
+constexpr Index near = 64;
+
+}  // namespace
 
 CondensedSolver::CondensedSolver(const SparsePattern& matrix, std::size_t least_for_single)
     : CheckedSolver(matrix), number_(matrix.n(), -1), least_for_single_(least_for_single) {
@@ -56,19 +64,37 @@ CondensedSolver::CondensedSolver(const SparsePattern& matrix, std::size_t least_
     links_[l].column = {std::exchange(next_column, next_column + column[l].size()), column[l].size()};
   }
 
+  find_halves();
+
   // The band after condensation: direct entries, and those through the chains.
   for_each_kept_entry([&](Index i, Index j) { width_ = std::max(width_, std::abs(i - j)); });
-  single_ = TwoEndedBand<float>(n_kept(), width_);
-  double_ = TwoEndedBand<double>(n_kept(), width_);
+  single_ = TwoEndedBand<float>(n_kept(), width_, near);
+  double_ = TwoEndedBand<double>(n_kept(), width_, width_);
   for_each_kept_entry([&](Index i, Index j) {
     single_.expect(i, j);
     double_.expect(i, j);
   });
   for (Index j = 0; j < n_kept(); ++j)
     for (Index k = starts[kept_[j]]; k < starts[kept_[j] + 1]; ++k)
-      if (const Index i = number_[rows[k]]; i >= 0) direct_.push_back({k, rows[k], single_.slot(i, j)});
+      if (const Index i = number_[rows[k]]; i >= 0)
+        direct_.push_back({k, rows[k], single_.slot(i, j), double_.slot(i, j)});
   scratch_.resize(kept_.size());
   scratch_single_.resize(kept_.size());
+}
+
+/// Chains at both ends that meet no kept number of each other's half.
+void CondensedSolver::find_halves() {
+  const Index half = n_kept() / 2;
+  const auto within = [](const Link& link, Index first, Index last) {
+    const auto inside = [&](const Entry& e) { return e.number >= first && e.number < last; };
+    return std::ranges::all_of(link.row, inside) && std::ranges::all_of(link.column, inside);
+  };
+  left_links_ = right_links_ = 0;
+  std::size_t l = 0;
+  for (; l < links_.size() && within(links_[l], 0, half); ++l)
+    if (links_[l].after < 0) left_links_ = l + 1;
+  for (l = links_.size(); l > left_links_ && within(links_[l - 1], half, n_kept()); --l)
+    if (links_[l - 1].before < 0) right_links_ = links_.size() - (l - 1);
 }
 
 template <class Visit>
@@ -117,14 +143,26 @@ void CondensedSolver::gather() {
 template <class Real>
 void CondensedSolver::condense(TwoEndedBand<Real>& band) {
   band.clear();
-  for (const Direct& entry : direct_) band.add(entry.slot, values()[entry.position] * row_scale()[entry.row]);
+  constexpr bool in_single = sizeof(Real) == sizeof(float);
+  for (const Direct& entry : direct_)
+    band.add(in_single ? entry.single : entry.whole, values()[entry.position] * row_scale()[entry.row]);
   gather();
 
-  // Chain by chain from the top: seen = column of C E^-1 for this link, over the kept rows [least, most].
   std::vector<Real> seen(kept_.size(), Real(0));
-  auto value = column_values_.end();
+  const std::size_t right = links_.size() - right_links_;
+  core::both(
+      left_links_ > 0, [&] { condense_links(band, 0, left_links_, seen); },
+      [&] { condense_links(band, right, links_.size(), seen); });
+  condense_links(band, left_links_, right, seen);
+  band.factor();
+}
+
+/// Chain by chain from the top: `seen`, zero at first, is the column of C E^-1 for a link, over the kept rows [least, most].
+template <class Real>
+void CondensedSolver::condense_links(TwoEndedBand<Real>& band, std::size_t first, std::size_t last,
+                                     std::vector<Real>& seen) const {
   Index least = n_kept(), most = -1;
-  for (std::size_t l = links_.size(); l-- > 0;) {
+  for (std::size_t l = last; l-- > first;) {
     const Link& link = links_[l];
     if (link.after < 0) {
       if (most >= least) std::fill(seen.begin() + least, seen.begin() + most + 1, Real(0));
@@ -135,10 +173,9 @@ void CondensedSolver::condense(TwoEndedBand<Real>& band) {
     if (diagonal == 0.0) throw SingularMatrix("a chain row has a vanishing diagonal", link.unknown);
     const auto carry = static_cast<Real>(link.after < 0 ? 0.0 : -values()[link.after] / diagonal);
     for (Index i = least; i <= most; ++i) seen[i] *= carry;
-    value -= static_cast<std::ptrdiff_t>(link.column.size());
-    auto of_entry = value;
+    auto value = column_values_.begin() + (link.column.data() - column_entries_.data());
     for (const Entry& e : link.column) {
-      seen[e.number] += static_cast<Real>(*of_entry++ / diagonal);
+      seen[e.number] += static_cast<Real>(*value++ / diagonal);
       least = std::min<Index>(least, e.number);
       most = std::max<Index>(most, e.number);
     }
@@ -146,7 +183,7 @@ void CondensedSolver::condense(TwoEndedBand<Real>& band) {
     const std::span<const Real> part(seen.data() + least, static_cast<std::size_t>(most - least + 1));
     for (const Entry& e : link.row) band.add_column(e.number, least, static_cast<Real>(-values()[e.position]), part);
   }
-  band.factor();
+  if (most >= least) std::fill(seen.begin() + least, seen.begin() + most + 1, Real(0));
 }
 
 void CondensedSolver::substitute(std::span<double> b) {

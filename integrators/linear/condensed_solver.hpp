@@ -59,9 +59,9 @@ class CondensedSolver final : public CheckedSolver {
     std::span<const Entry> column;  ///< kept rows of its column
   };
 
-  /// An entry that both matrices have, and where the band keeps it.
+  /// An entry that both matrices have, and where the band in single and that in double precision keep it.
   struct Direct {
-    Index position, row, slot;
+    Index position, row, single, whole;
   };
   /// Of a link's row, with the values at hand.
   struct Pivot {
@@ -71,13 +71,18 @@ class CondensedSolver final : public CheckedSolver {
   /// S = D - C E^-1 B of [E B; C D], E the chains, into `band`.
   template <class Real>
   void condense(TwoEndedBand<Real>& band);
+  /// The part of links [first, last), whole chains.
+  template <class Real>
+  void condense_links(TwoEndedBand<Real>& band, std::size_t first, std::size_t last, std::vector<Real>& seen) const;
+  void find_halves();
   /// Calls visit(i, j) for each entry of S, some more than once.
   template <class Visit>
   void for_each_kept_entry(const Visit& visit) const;
 
-  std::vector<Link> links_;    ///< chain after chain, each from its foot up
-  std::vector<Index> kept_;    ///< unknown of each kept number
-  std::vector<Index> number_;  ///< kept number of each unknown, -1 for links
+  std::vector<Link> links_;                       ///< chain after chain, each from its foot up
+  std::size_t left_links_ = 0, right_links_ = 0;  ///< first and last ones that two threads may condense at once
+  std::vector<Index> kept_;                       ///< unknown of each kept number
+  std::vector<Index> number_;                     ///< kept number of each unknown, -1 for links
   // In the order in which a solve goes through them: it is bound by memory.
   std::vector<Entry> row_entries_, column_entries_;  ///< the links', link after link
   std::vector<double> row_values_;                   ///< of those

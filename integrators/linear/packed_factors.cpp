@@ -21,84 +21,79 @@ void subtract_four(Index n, const Real* __restrict columns, const Real* value, R
 }  // namespace
 
 template <class Real>
-void PackedFactors<Real>::pack(const Band& band, Index window) {
+void PackedFactors<Real>::pack(const BandLu<Real>& lu, const Real* store, Index tail) {
   groups_.clear();
-  pivots_.assign(band.pivots, band.pivots + band.n);
-  const Index window_first = band.n - window;
-  std::int64_t lower = 0;
-  for (Index first = 0; first < band.n;) {
-    if (first == window_first) window_group_ = groups_.size();
-    const Index end = std::min(first + width, first < window_first ? window_first : band.n);
-    Group group{first, static_cast<int>(end - first), false, 0, 0, lower, 0};
-    for (Index j = first; j < end; ++j) group.exchanges = group.exchanges || pivots_[j] != j + 1;
-    group.below = static_cast<int>(std::max<Index>(0, end - 1 + band.L_reach[end - 1] - (end - 1)));
-    group.above = static_cast<int>(band.U_reach[first]);
-    lower += group.count * (group.count + group.below);
-    groups_.push_back(group);
-    first = end;
+  exchanges_.clear();
+  std::int64_t size = 0;
+  for (std::size_t panel = 0; panel + 1 < lu.panels().size(); ++panel) {
+    const Index begin = lu.panels()[panel], end = lu.panels()[panel + 1];
+    const auto exchanges = lu.exchanges(panel);
+    exchanges_.insert(exchanges_.end(), exchanges.begin(), exchanges.end());
+    if (begin == lu.n() - tail) tail_group_ = groups_.size();
+    for (Index first = begin; first < end; first += width) {
+      const Index count = std::min(width, end - first);
+      const auto below = static_cast<int>(lu.last_row_of_L(first + count - 1) - (first + count - 1));
+      const auto above = static_cast<int>(first - lu.first_row_of_U(first));
+      groups_.push_back({first, static_cast<int>(count), below, above, size, 0, exchanges_.size()});
+      size += count * (count + below);
+    }
   }
-  std::int64_t upper = lower;
-  for (Group& group : groups_) {
-    group.upper = upper;
-    upper += group.count * (group.count + group.above);
-  }
-  values_.resize(static_cast<std::size_t>(upper));
+  for (Group& group : groups_) group.upper = std::exchange(size, size + group.count * (group.count + group.above));
+  values_.resize(static_cast<std::size_t>(size));
   for (const Group& group : groups_) {
     Real* l = &values_[group.lower];
     Real* u = &values_[group.upper];
-    const Index end = group.first + group.count;
-    const auto entry = [&](Index i, Index j) {
-      const bool kept = i >= j ? i - j <= band.below : j - i <= band.above;
-      return kept ? band.diagonal[j * band.leading + i - j] : Real(0);
-    };
-    for (Index j = group.first; j < end; ++j)
-      for (Index i = group.first; i < end; ++i) {
-        *l++ = i > j ? entry(i, j) : Real(0);
-        *u++ = i <= j ? entry(i, j) : Real(0);
-      }
-    for (Index j = group.first; j < end; ++j) {
-      for (Index i = end; i < end + group.below; ++i) *l++ = entry(i, j);
-      for (Index i = group.first - group.above; i < group.first; ++i) *u++ = entry(i, j);
+    const auto square = [&](Index j) { return store + lu.slot(group.first, group.first + j); };
+    for (int j = 0; j < group.count; ++j) {
+      l = std::copy_n(square(j), group.count, l);
+      u = std::copy_n(square(j), group.count, u);
+    }
+    for (int j = 0; j < group.count; ++j) {
+      l = std::copy_n(square(j) + group.count, group.below, l);
+      u = std::copy_n(square(j) - group.above, group.above, u);
     }
   }
 }
 
 template <class Real>
 void PackedFactors<Real>::forward(Index first, Real* b) const {
-  for (auto group = groups_.begin() + static_cast<std::ptrdiff_t>(group_from(first)); group != groups_.end(); ++group) {
-    const Real* triangle = &values_[group->lower];
-    const Real* columns = triangle + group->count * group->count;
-    Real* at = b + (group->first - first);
-    Real* rest = at + group->count;
-    for (int j = 0; j < group->count; ++j) {
-      if (const Index pivot = pivots_[group->first + j] - 1 - first; group->exchanges) std::swap(at[j], b[pivot]);
-      for (int i = j + 1; i < group->count; ++i) at[i] -= triangle[j * group->count + i] * at[j];
-      if (group->exchanges || group->count < width)
-        subtract<Real>(group->below, columns + Index{j} * group->below, at[j], rest);
+  const std::size_t start = group_from(first);
+  std::size_t next = start == 0 ? 0 : groups_[start - 1].exchanges;
+  for (std::size_t number = start; number < groups_.size(); ++number) {
+    const Group& group = groups_[number];
+    for (; next < group.exchanges; ++next) std::swap(b[exchanges_[next].row - first], b[exchanges_[next].with - first]);
+    const Real* square = &values_[group.lower];
+    const Real* columns = square + group.count * group.count;
+    Real* at = b + (group.first - first);
+    for (int j = 0; j < group.count; ++j)
+      for (int i = j + 1; i < group.count; ++i) at[i] -= square[j * group.count + i] * at[j];
+    if (group.count == width) {
+      subtract_four<Real>(group.below, columns, at, at + width);
+    } else {
+      for (int j = 0; j < group.count; ++j)
+        subtract<Real>(group.below, columns + Index{j} * group.below, at[j], at + group.count);
     }
-    if (!group->exchanges && group->count == width) subtract_four<Real>(group->below, columns, at, rest);
   }
 }
 
 template <class Real>
 void PackedFactors<Real>::backward(Index first, Real* b) const {
-  const auto last = groups_.begin() + static_cast<std::ptrdiff_t>(group_from(first));
-  for (auto group = groups_.end(); group != last;) {
-    --group;
-    const Real* triangle = &values_[group->upper];
-    Real* at = b + (group->first - first);
-    for (int j = group->count; j-- > 0;) {
-      at[j] /= triangle[j * group->count + j];
-      for (int i = 0; i < j; ++i) at[i] -= triangle[j * group->count + i] * at[j];
+  const std::size_t start = group_from(first);
+  for (std::size_t number = groups_.size(); number-- > start;) {
+    const Group& group = groups_[number];
+    const Real* square = &values_[group.upper];
+    Real* at = b + (group.first - first);
+    for (int j = group.count; j-- > 0;) {
+      at[j] /= square[j * group.count + j];
+      for (int i = 0; i < j; ++i) at[i] -= square[j * group.count + i] * at[j];
     }
-    const Index hidden = std::max<Index>(0, group->above - (group->first - first));  // rows before `first`
-    const Index rows = group->above - hidden;
-    const Real* columns = triangle + group->count * group->count + hidden;
-    if (group->count == width && hidden == 0) {
+    const Index hidden = std::max<Index>(0, group.above - (group.first - first));  // rows before `first`
+    const Index rows = group.above - hidden;
+    const Real* columns = square + group.count * group.count + hidden;
+    if (group.count == width && hidden == 0) {
       subtract_four<Real>(rows, columns, at, at - rows);
     } else {
-      for (int j = 0; j < group->count; ++j)
-        subtract<Real>(rows, columns + Index{j} * group->above, at[j], at - rows);
+      for (int j = 0; j < group.count; ++j) subtract<Real>(rows, columns + Index{j} * group.above, at[j], at - rows);
     }
   }
 }

@@ -3,22 +3,24 @@
 #include <span>
 #include <vector>
 
+#include "linear/band_lu.hpp"
 #include "linear/direct_solver.hpp"
 #include "linear/packed_factors.hpp"
 
 namespace talus::linear {
 
-/// LU of a band matrix from both ends at once, on two threads where BLAS allows it (blas.hpp): the unknowns are cut into a left
-/// part, a separator as wide as the band, and a right part that is numbered from its far end. LAPACK factors the parts with
-/// partial pivoting; a dense matrix joins them on the separator. Small matrices have an empty right part and separator and
-/// use one thread. Entries and factors are kept in `Real`, float or double.
+/// LU of a band matrix from both ends at once, on two threads: the unknowns are cut into a left part, a separator as wide as the
+/// band, and a right part that is numbered from its far end. Each part is factored with row exchanges, at most `window` rows
+/// away; a dense matrix joins them on the separator. Small matrices have an empty right part and separator and use one
+/// thread. Entries and factors are kept in `Real`, float or double.
 /// The arithmetic does not depend on how the threads run: same input, same bits.
 template <class Real>
 class TwoEndedBand {
  public:
   TwoEndedBand() = default;
-  /// A band of n rows with `width` diagonals on either side of the main one.
-  TwoEndedBand(Index n, Index width);
+  /// A band of n rows with `width` diagonals on either side of the main one. A window as wide as the band finds a pivot wherever
+  /// there is one.
+  TwoEndedBand(Index n, Index width, Index window);
 
   [[nodiscard]] Index n() const { return n_; }
   [[nodiscard]] Index width() const { return width_; }
@@ -42,18 +44,13 @@ class TwoEndedBand {
  private:
   struct Part {
     Index n = 0;     ///< unknowns
-    Index band = 0;  ///< where it starts in the store: LAPACK band storage, leading dimension 3 width + 1
-    Index to = 0;    ///< part rows of the window x separator columns: F, shape (window, m), column major
-    Index from = 0;  ///< separator rows x part columns of the window: G, shape (m, window), column major
-    std::vector<int> pivots;
-    std::vector<int> last_row;     ///< of each column, as announced
-    std::vector<int> last_column;  ///< of each row
-    std::vector<int> below;        ///< entries of L below the diagonal of each column
-    std::vector<int> above;        ///< entries of U above it
-    PackedFactors<Real> factors;   ///< for substitution
+    Index tail = 0;  ///< how many of the last ones the separator's columns reach once they are eliminated
+    Index band = 0;  ///< where it starts in the store
+    Index to = 0;    ///< rows of the tail x separator columns: F, shape (tail, m), column major
+    Index from = 0;  ///< separator rows x columns of the tail: G, shape (m, tail), column major
+    BandLu<Real> lu;
+    PackedFactors<Real> factors;  ///< for substitution
   };
-  [[nodiscard]] Index leading() const { return 3 * width_ + 1; }
-  [[nodiscard]] Index window(const Part& part) const { return part.n < 2 * width_ ? part.n : 2 * width_; }
   /// 0 left, 1 right, 2 separator, and the number there.
   struct Place {
     int part;
@@ -64,10 +61,7 @@ class TwoEndedBand {
     if (i < left_ + separator_) return {2, i - left_};
     return {1, n_ - 1 - i};
   }
-  /// How far the factors reach, from what was announced and the rows that were exchanged.
-  void measure(Part& part) const;
   void factor_part(Part& part, std::vector<Real>& schur);
-  void pack(Part& part) const;
 
   Index n_ = 0, width_ = 0, left_ = 0, separator_ = 0, size_ = 0, middle_ = 0;
   Part part_[2];
