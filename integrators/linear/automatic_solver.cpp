@@ -39,6 +39,15 @@ double condensed_seconds(const CondensedSolver& solver) {
          (1.0 + solves) * start_of_a_thread;
 }
 
+/// The least that KLU and UMFPACK could take for a matrix of a column model, whose factors hold six to eight times its entries
+/// on grids of many columns and layers (README).
+double least_seconds_of_general_solvers(Index n_nonzeros) {
+  Statistics least;
+  least.fill = 3 * n_nonzeros;
+  return std::min(klu_seconds(least), umfpack_seconds(least, n_nonzeros));
+}
+constexpr Index worth_foresight = 20000;  ///< entries; below, trials cost nothing and fill may be less
+
 }  // namespace
 
 AutomaticSolver::AutomaticSolver(const SparsePattern& pattern, Settings settings)
@@ -73,8 +82,22 @@ void AutomaticSolver::choose(std::span<const double> values) {
     }
   };
 
+  auto condensed = std::make_unique<CondensedSolver>(pattern_);
+  condensed->demand(settings_.accuracy);
+  const double condensed_takes = condensed->n_kept() < pattern_.n() ? condensed_seconds(*condensed) : HUGE_VAL;
+  const auto offer_condensed = [&] {
+    offer("condensed", std::move(condensed), [&](const Statistics&) { return condensed_takes; });
+  };
   auto banded = std::make_unique<BandedSolver>(pattern_, settings_.ordering);
   const double band_seconds = banded_seconds(*banded);
+  if (pattern_.n_nonzeros() >= worth_foresight &&
+      condensed_takes < std::min(band_seconds, least_seconds_of_general_solvers(pattern_.n_nonzeros()))) {
+    offer_condensed();
+    if (chosen_) {
+      trials_ = trials.str() + ", which no other could match";
+      return;
+    }
+  }
   double fewest_flops = HUGE_VAL;
   Index least_fill = 0;
   const auto umfpack = [&](const Statistics& s) {
@@ -98,11 +121,7 @@ void AutomaticSolver::choose(std::span<const double> values) {
   if (band_seconds < best) {
     offer("banded", std::move(banded), [band_seconds](const Statistics&) { return band_seconds; });
   }
-  auto condensed = std::make_unique<CondensedSolver>(pattern_);
-  condensed->demand(settings_.accuracy);
-  if (const double seconds = condensed_seconds(*condensed); condensed->n_kept() < pattern_.n() && seconds < best) {
-    offer("condensed", std::move(condensed), [seconds](const Statistics&) { return seconds; });
-  }
+  if (condensed && condensed_takes < best) offer_condensed();
   trials_ = trials.str();
   if (!chosen_) throw SingularMatrix("no direct solver gives usable factors: " + trials_, place);
 }

@@ -125,7 +125,7 @@ void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
         for (Index i = j + 1; i <= near; ++i) most_near = std::max(most_near, std::abs(column[i]));
         for (Index i = near + 1; i <= lowest; ++i) most_far = std::max(most_far, std::abs(column[i]));
         Index pivot = j;
-        if (std::abs(column[j]) < Real(0.1) * most_near) {
+        if (std::abs(column[j]) < Real(0.5) * most_near) {
           while (std::abs(column[pivot]) < most_near) ++pivot;
           lu.exchanges_.push_back({static_cast<int>(j), static_cast<int>(pivot)});
           for (Index c = a; c < b; ++c) std::swap(*at(j, c), *at(pivot, c));

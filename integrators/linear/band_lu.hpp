@@ -10,7 +10,7 @@ namespace talus::linear {
 /// LU of a square band by panels of columns, with row exchanges over a short way. It calls no library, so that two threads may
 /// factor two matrices at once, and uses AVX2 and FMA where the processor has them.
 ///
-/// A row is exchanged where one of at most `window` rows below has an entry in its column that is ten times as large. L is kept
+/// A row is exchanged where one of at most `window` rows below has an entry in its column that is more than twice as large. L is kept
 /// as it stands after all exchanges of its panel.
 template <class Real>
 class BandLu {

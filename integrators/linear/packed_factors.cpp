@@ -3,22 +3,59 @@
 #include <algorithm>
 #include <utility>
 
+#include "linear/dense_kernels.hpp"
+
 namespace talus::linear {
 namespace {
 
 template <class Real>
-void subtract(Index n, const Real* __restrict column, Real value, Real* __restrict b) {
+[[gnu::always_inline]] inline void subtract(Index n, const Real* __restrict column, Real value, Real* __restrict b) {
   for (Index i = 0; i < n; ++i) b[i] -= column[i] * value;
 }
 
 template <class Real>
-void subtract_four(Index n, const Real* __restrict columns, const Real* value, Real* __restrict b) {
+[[gnu::always_inline]] inline void subtract_four(Index n, const Real* __restrict columns, const Real* value,
+                                                 Real* __restrict b) {
   const Real v0 = value[0], v1 = value[1], v2 = value[2], v3 = value[3];
   const Real *c0 = columns, *c1 = c0 + n, *c2 = c1 + n, *c3 = c2 + n;
   for (Index i = 0; i < n; ++i) b[i] = (((b[i] - c0[i] * v0) - c1[i] * v1) - c2[i] * v2) - c3[i] * v3;
 }
 
 }  // namespace
+
+template <class Real>
+struct PackedFactors<Real>::Kernels {
+  [[gnu::always_inline]] static inline void forward(const PackedFactors& factors, Index first, Real* b);
+  [[gnu::always_inline]] static inline void backward(const PackedFactors& factors, Index first, Real* b);
+#ifdef TALUS_FMA
+  TALUS_FMA static void forward_fma(const PackedFactors& factors, Index first, Real* b) { forward(factors, first, b); }
+  TALUS_FMA static void backward_fma(const PackedFactors& factors, Index first, Real* b) {
+    backward(factors, first, b);
+  }
+#endif
+};
+
+template <class Real>
+void PackedFactors<Real>::forward(Index first, Real* b) const {
+#ifdef TALUS_FMA
+  if (dense::has_fma()) {
+    Kernels::forward_fma(*this, first, b);
+    return;
+  }
+#endif
+  Kernels::forward(*this, first, b);
+}
+
+template <class Real>
+void PackedFactors<Real>::backward(Index first, Real* b) const {
+#ifdef TALUS_FMA
+  if (dense::has_fma()) {
+    Kernels::backward_fma(*this, first, b);
+    return;
+  }
+#endif
+  Kernels::backward(*this, first, b);
+}
 
 template <class Real>
 void PackedFactors<Real>::pack(const BandLu<Real>& lu, const Real* store, Index tail) {
@@ -56,13 +93,16 @@ void PackedFactors<Real>::pack(const BandLu<Real>& lu, const Real* store, Index 
 }
 
 template <class Real>
-void PackedFactors<Real>::forward(Index first, Real* b) const {
-  const std::size_t start = group_from(first);
-  std::size_t next = start == 0 ? 0 : groups_[start - 1].exchanges;
-  for (std::size_t number = start; number < groups_.size(); ++number) {
-    const Group& group = groups_[number];
-    for (; next < group.exchanges; ++next) std::swap(b[exchanges_[next].row - first], b[exchanges_[next].with - first]);
-    const Real* square = &values_[group.lower];
+void PackedFactors<Real>::Kernels::forward(const PackedFactors& factors, Index first, Real* b) {
+  const auto& groups = factors.groups_;
+  const auto& values = factors.values_;
+  const std::size_t start = factors.group_from(first);
+  const auto& exchanges = factors.exchanges_;
+  std::size_t next = start == 0 ? 0 : groups[start - 1].exchanges;
+  for (std::size_t number = start; number < groups.size(); ++number) {
+    const Group& group = groups[number];
+    for (; next < group.exchanges; ++next) std::swap(b[exchanges[next].row - first], b[exchanges[next].with - first]);
+    const Real* square = &values[group.lower];
     const Real* columns = square + group.count * group.count;
     Real* at = b + (group.first - first);
     for (int j = 0; j < group.count; ++j)
@@ -77,11 +117,13 @@ void PackedFactors<Real>::forward(Index first, Real* b) const {
 }
 
 template <class Real>
-void PackedFactors<Real>::backward(Index first, Real* b) const {
-  const std::size_t start = group_from(first);
-  for (std::size_t number = groups_.size(); number-- > start;) {
-    const Group& group = groups_[number];
-    const Real* square = &values_[group.upper];
+void PackedFactors<Real>::Kernels::backward(const PackedFactors& factors, Index first, Real* b) {
+  const auto& groups = factors.groups_;
+  const auto& values = factors.values_;
+  const std::size_t start = factors.group_from(first);
+  for (std::size_t number = groups.size(); number-- > start;) {
+    const Group& group = groups[number];
+    const Real* square = &values[group.upper];
     Real* at = b + (group.first - first);
     for (int j = group.count; j-- > 0;) {
       at[j] /= square[j * group.count + j];

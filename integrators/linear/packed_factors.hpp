@@ -22,6 +22,7 @@ class PackedFactors {
   [[nodiscard]] std::size_t memory() const { return values_.size() * sizeof(Real); }
 
  private:
+  struct Kernels;
   static constexpr Index width = 4;
   /// Columns [first, first + count): a dense square each for L and U, then the columns of what lies below and above it.
   struct Group {

@@ -9,16 +9,18 @@ SparsePattern::SparsePattern(Index n, std::vector<std::pair<Index, Index>> entri
   for (const auto& [row, column] : entries)
     if (row < 0 || row >= n || column < 0 || column >= n)
       throw std::out_of_range("SparsePattern: entry outside the matrix");
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-    return a.second != b.second ? a.second < b.second : a.first < b.first;
-  });
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-  row_of_.reserve(entries.size());
-  for (const auto& [row, column] : entries) {
-    row_of_.push_back(row);
-    ++column_start_[column + 1];
+  // Column by column: a sort of all the pairs at once took a second on 300 x 32 cells.
+  std::vector<Index> start(n + 1, 0);
+  for (const auto& entry : entries) ++start[entry.second + 1];
+  for (Index j = 0; j < n; ++j) start[j + 1] += start[j];
+  std::vector<Index> rows(entries.size()), next(start);
+  for (const auto& [row, column] : entries) rows[next[column]++] = row;
+  for (Index j = 0; j < n; ++j) {
+    const auto first = rows.begin() + start[j], last = rows.begin() + start[j + 1];
+    std::sort(first, last);
+    row_of_.insert(row_of_.end(), first, std::unique(first, last));
+    column_start_[j + 1] = static_cast<Index>(row_of_.size());
   }
-  for (Index j = 0; j < n; ++j) column_start_[j + 1] += column_start_[j];
 }
 
 Index SparsePattern::find(Index row, Index column) const {
