@@ -78,7 +78,7 @@ def draw_18(heaps, folder):
         exact = Exact(models[0].run)
         if exact.known:
             axes.plot(exact.speed, -1e3 * exact.depth, color=look.INK, linestyle="-.", label="exact, steady, uniform")
-        axes.set(xlabel="|u| [m s$^{-1}$]", ylim=(-1e3 * DEPTH, 0.0), xlim=(0.0, 0.45))
+        axes.set(xlabel="|u| [m s$^{-1}$]", ylim=(-1e3 * DEPTH, 0.0), xlim=(0.0, 0.5))
         axes.legend(loc="lower right")
         look.grid(axes)
         look.label(axes, number, f"{1e3 * Q:.1f} g/s")
