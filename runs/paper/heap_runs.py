@@ -6,13 +6,12 @@ import subprocess
 import sys
 import tomllib
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 import reproduction  # noqa: F401, finds src/plot
 from run_data import Run
-from talus import ROOT, settings
+from talus import ROOT, settings, status
 
 EXAMPLES = ROOT / "runs" / "examples"
 TWO_FLUID = ROOT / "runs" / "benchmarks" / "two_fluid_heap.toml"
@@ -105,10 +104,10 @@ def costs(talus, scenes):
     return [heap.cost for scene in scenes for heap in both(talus, scene)]
 
 
-def status(folder):
-    """What a run's summary says, "" where there is none."""
-    summary = Path(folder) / "summary.json"
-    return json.loads(summary.read_text())["status"] if summary.exists() else ""
+def cpu_seconds(talus):
+    """Of the kept runs of this preset: (name, seconds)."""
+    kept_ones = sorted([*(talus.out / "runs").glob(f"*heap*_{talus.preset}"), *(talus.out / "runs").glob("two_fluid_jet")])
+    return [(folder.name, json.loads((folder / "summary.json").read_text())["cpu_seconds"]) for folder in kept_ones if status(folder) == "finished"]
 
 
 def kept(talus, scene, name, options=()):

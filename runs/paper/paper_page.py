@@ -41,14 +41,15 @@ class Part:
     costs: list = field(default_factory=list)   # of kept runs, in words
 
 
-def write(parts, program, path):
+def write(parts, program, cpu, path):
+    """`cpu` lists (what, seconds of CPU)."""
     sections = [(name_of(part), part.name, of_part(part)) for part in parts]
     rows = [row for part in parts for row in part.rows]
     numbers = f"<p>{len(rows)} rows, in the order of the figures.</p>" + comparison(rows) + "<h3>Printed, and not compared</h3>" + page.table(
         ["where", "numbers", "why"], [[text(cell) for cell in row] for row in NOT_COMPARED])
     sections.append(("all_printed_numbers", "All printed numbers", numbers))
     sections.append(("provenance", "Provenance", page.folded("talus --version", program) + page.facts(
-        [[text(part.name), f"{part.seconds:.1f} s"] for part in parts])))
+        [[text(part.name), f"{part.seconds:.1f} s"] for part in parts]) + "<h3>CPU</h3>" + page.facts([[text(what), f"{seconds:.0f} s"] for what, seconds in cpu])))
     path.write_text(page.document(TITLE, f"<h1>{text(TITLE)}</h1><p>{text(LEAD)}</p><p>{text(TWO_FLUID)}</p>", sections), encoding="utf-8")
     return path
 

@@ -4,6 +4,7 @@
 
 The heaps behind figures 12 to 19 are run once and kept; a call that was stopped is gone on from."""
 
+import resource
 import sys
 import time
 
@@ -20,6 +21,7 @@ import figure_17
 import figure_19
 import figure_20
 import figure_21
+import heap_runs
 import reproduction
 import table_2
 from paper_page import Part, write
@@ -53,7 +55,12 @@ def main():
         parts += done
         (options.out / table).write_text("\n".join(comparison.markdown(tables[table])) + "\n", encoding="utf-8")
     parts.sort(key=lambda part: order(part.name))
-    print(write(parts, talus.call("--version"), options.out / "index.html"))
+    print(write(parts, talus.call("--version"), [("this call, kept runs that it made included", cpu_seconds()), *heap_runs.cpu_seconds(talus)], options.out / "index.html"))
+
+
+def cpu_seconds():
+    """Of this process and all that it started and waited for."""
+    return sum(time for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN) for time in resource.getrusage(who)[:2])
 
 
 def draw(talus, folder, name, module, says):

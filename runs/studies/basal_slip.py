@@ -42,7 +42,7 @@ STICKS = Base()
 # Grid, base, u_c.
 COULOMB = [*((COARSE, Base(mu_b), SLOW) for mu_b in (None, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)), (COARSE, STICKS, FAST), (COARSE, Base(0.3), FAST),
            (STANDARD, STICKS, SLOW), (STANDARD, Base(0.3), SLOW), (STANDARD, Base(0.25), SLOW)]
-NAVIER = [(COARSE, STICKS, SLOW), *((COARSE, Base(None, l), SLOW) for l in (0.5, 1.0, 2.0, 5.0, 20.0, 100.0)), (COARSE, Base(0.25), SLOW),
+NAVIER = [(COARSE, STICKS, SLOW), *((COARSE, Base(None, l), SLOW) for l in (0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0)), (COARSE, Base(0.25), SLOW),
           (COARSE, Base(0.25, 1.0), SLOW)]
 PARTS = {"coulomb": COULOMB, "navier": NAVIER}
 POINTS = [(t, m) for t, m in zip(EXPERIMENT_TIMES, EXPERIMENT_MASSES) if t != MISPRINTED]
