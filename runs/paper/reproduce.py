@@ -55,7 +55,7 @@ def main():
         parts += done
         (options.out / table).write_text("\n".join(comparison.markdown(tables[table])) + "\n", encoding="utf-8")
     parts.sort(key=lambda part: order(part.name))
-    print(write(parts, talus.call("--version"), [("this call, kept runs that it made included", cpu_seconds()), *heap_runs.cpu_seconds(talus)], options.out / "index.html"))
+    print(write(parts, talus.call("--version"), [("this call, in all", cpu_seconds()), *heap_runs.cpu_seconds(talus)], options.out / "index.html"))
 
 
 def cpu_seconds():
