@@ -44,7 +44,7 @@ def rows(heap):
     result += [experiment_row(heap, t, printed) for t, printed in zip(EXPERIMENT_TIMES, EXPERIMENT_MASSES)]
     result.append(pile_row(heap))
     k = run.nearest(STOP)
-    result += [pressure_row(heap), lithostatic_row(where, run, k)]
+    result += [pressure_row(heap), lithostatic_row(heap, k)]
     if run.has("cap_active"):
         capped = 100.0 * float(np.nanmean(run.grains_only(run.field("cap_active", k), k).filled(np.nan)))
         result.append(Row(where, "where the viscosity's cap acts at 150 s", "deep in the pile, not at the surface", f"{capped:.2g} % of the cells", "",
@@ -99,8 +99,9 @@ def pressure_row(heap):
                f"at 12.4, 16.8, 30.8, 56, 150 s; columns are {width:.0f} mm wide")
 
 
-def lithostatic_row(where, run, k):
+def lithostatic_row(heap, k):
     """Pressure over that of the depth normal to the face, in the middle of the face."""
+    run = heap.run
     height = run.field("height", k)
     j = (int(np.argmax(height)) + height.size - 1) // 2
     slope = np.arctan(np.gradient(height, run.x)[j])
@@ -109,8 +110,8 @@ def lithostatic_row(where, run, k):
     near = (depth < reach) & (depth > 0.0)
     weight = run.stated("grains", "Phi") * run.stated("grains", "rho_star") * run.stated("box", "gravity")
     ratio = run.field("pressure", k)[near, j] / (weight * depth[near] * np.cos(np.radians(run.tilt) - slope))
-    return Row(where, f"pressure over rho g depth cos(zeta) in the top {1e3 * reach:.0f} mm of the face, 150 s", "approximately lithostatic",
-               f"{ratio.min():.3f} to {ratio.max():.3f}", "holds" if abs(ratio - 1.0).max() < 0.1 else "differs")
+    return Row(f"figures 12-14, {heap.model}", f"pressure over rho g depth cos(zeta) in the top {1e3 * reach:.0f} mm of the face, 150 s", "approximately lithostatic",
+               f"{ratio.min():.3f} to {ratio.max():.3f}", *(("holds", "") if abs(ratio - 1.0).max() < 0.1 else ("differs", heap.reason(""))))
 
 
 def costs(talus):
