@@ -90,9 +90,10 @@ def draw(heaps, folder, name):
     figure, panels = plt.subplots(1, 2, figsize=(12.0, 4.8))
     bases = list(dict.fromkeys(base for _, base, _ in heaps))
     colours = look.sequence_colours(len(bases), "plasma")
+    both_laws = any(base.slip_mm for base in bases)
     for (grid, base, u_c), one in heaps.items():
         t, mass = one.run.series_times, one.run.series("mass_stored") - one.film
-        style = dict(color=colours[bases.index(base)], linestyle="--" if u_c == FAST else "-", linewidth=2.4 if grid == STANDARD else 1.2)
+        style = dict(color=colours[bases.index(base)], linestyle="--" if u_c == FAST else "-." if both_laws and base.mu_b else "-", linewidth=2.4 if grid == STANDARD else 1.2)
         label = f"{base.words}, {grid[0]}x{grid[1]}" + (f", u_c = {1e3 * u_c:g} mm/s" if u_c == FAST else "")
         panels[0].plot(t[t <= STOP], mass[t <= STOP], label=label, **style)
         panels[1].plot(t[t >= STOP] - STOP, mass[t >= STOP], **style)
