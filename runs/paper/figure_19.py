@@ -19,13 +19,13 @@ def draw(talus, folder):
     figure, (*fields, profile) = plt.subplots(1, 3, figsize=(15.0, 4.6), width_ratios=[1.25, 1.25, 1.0])
     last = [heap.run.times.size - 1 for heap in heaps]
     speeds = [where_grains_are(heap.run, k) for heap, k in zip(heaps, last)]
-    fastest = max(float(speed.max()) for speed in speeds)
+    fastest = float(speeds[0].max())  # the jet, which the layer has not, is faster
     X0, X1, Z0, Z1 = heaps[0].run.extent([last[0]])
     for number, (heap, k, speed, axes) in enumerate(zip(heaps, last, speeds, fields)):
         mesh = field_maps.paint(axes, heap.run, k, "speed", speed, vmin=0.0, vmax=fastest)
         axes.set(aspect="equal", xlabel="X, horizontal [m]", ylabel="Z, up [m]" if number == 0 else "", xlim=(X0, X1), ylim=(Z0, Z1))
         look.label(axes, number, f"{heap.label}, t = {look.seconds(heap.run.times[k])}")
-    figure.colorbar(mesh, ax=fields, label="|u| [m s$^{-1}$]", shrink=0.8)
+    figure.colorbar(mesh, ax=fields, label="|u| [m s$^{-1}$]", shrink=0.8, extend="max")
     run, k = heaps[0].run, last[0]
     depth, u, exact_depth, exact_u, thickness = far_down(run, k)
     profile.plot(u, 1e3 * (thickness - depth), "o", color=look.BLUE, markerfacecolor="white", label=f"computed, layer, x = {PLACE:g} m")

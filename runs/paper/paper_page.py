@@ -61,7 +61,7 @@ def name_of(part):
 def of_part(part):
     pictures = "".join(page.picture(image, f'numbers: <a href="{image.stem}.csv">{image.stem}.csv</a>' if image.with_suffix(".csv").exists() else
                                     "numbers: run.nc of the run named below") for image in part.paths)
-    cost = "; ".join([f"{part.seconds:.0f} s for this section", *part.costs])
+    cost = "; ".join([f"{part.seconds:.1f} s for this section", *part.costs])
     return f"<p>{text(part.says)}</p>{pictures}" + (comparison(part.rows) if part.rows else "") + f'<p class="facts">Cost: {text(cost)}.</p>'
 
 

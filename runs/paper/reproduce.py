@@ -38,7 +38,8 @@ EXACT = (
 HEAPS = (
     ("Figure 11", figure_11, "The dilute jet alone: volume fraction, speed, and the flow through each height."),
     ("Figures 12 to 14", figure_12, "Speed, pressure and inertial number as the heap grows for 150 s and drains."),
-    ("Figure 15", figure_15, "Mass on the balance in time, against the experiment's; what the text says of the event."),
+    ("Figure 15", figure_15, "Mass on the balance in time, against the experiment's; what the text says of the event. What the paper misses, basal slip, closes the gap: "
+     "on a base of friction 0.25 growth and drain follow the experiment within 9 g. Navier's slip does as much with a length of 15 mm (runs/studies)."),
     ("Figure 16", figure_16, "Steady heaps of the three inflows, each slightly steeper than the measured."),
     ("Figures 17 and 18", figure_17, "Profiles of speed down the face, which fall together, and beside the exact ones."),
     ("Figure 19", figure_19, "Without wall friction no heap stands; a Bagnold flow runs down the base."))

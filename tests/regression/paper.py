@@ -95,7 +95,7 @@ class Paper(unittest.TestCase):
             pictures, head, words = parts[name]
             self.assertGreaterEqual(pictures, 1, name)
             self.assertEqual(head, ["where", "what", "paper", "here", "difference", "reason"], name)
-            self.assertRegex(words, r"Cost: \d+ s", name)
+            self.assertRegex(words, r"Cost: [\d.]+ s", name)
         for name in BOTH_MODELS:
             self.assertIn(", layer", parts[name][2])
             self.assertIn(", two-fluid", parts[name][2])
