@@ -8,7 +8,7 @@
 
 namespace talus::column {
 
-/// A uniform layer over a no-slip base under a traction-free surface, with side-wall friction: (3.16) for u(z, t) alone
+/// A uniform layer over a base on which grains stick or slip, under a traction-free surface, with side-wall friction: (3.16) for u(z, t) alone
 /// with lithostatic pressure. An ordinary differential equation with a tridiagonal Jacobian. Rows are in Pa.
 class Column final : public core::DaeSystem {
  public:

@@ -8,29 +8,34 @@
 namespace talus::column {
 namespace {
 
-double shear_rate(const Heights& at, std::span<const double> u, int k) {
-  return (u[k] - (k > 0 ? u[k - 1] : 0.0)) / at.distance(k);
+double shear_rate(const Column& column, std::span<const double> u, int k) {
+  const auto& at = column.heights();
+  const double below = k > 0 ? u[k - 1] : 0.0;
+  return (u[k] - speed_below(at, column.parameters().box.base_slip_length, k, below, u[k])) / at.distance(k);
 }
 
 /// Under a free surface du/dz goes as the root of the depth: divided by it, it is smooth, and taken as linear between
 /// interfaces and beyond the last.
-double divided_shear(const Heights& at, std::span<const double> u, int k) {
-  return shear_rate(at, u, k) / std::sqrt(at.surface() - at.interface[k]);
+double divided_shear(const Column& column, std::span<const double> u, int k) {
+  const auto& at = column.heights();
+  return shear_rate(column, u, k) / std::sqrt(at.surface() - at.interface[k]);
 }
 
 /// Its change with depth in the top layer [m^-3/2 s^-1].
-double divided_shear_slope(const Heights& at, std::span<const double> u) {
+double divided_shear_slope(const Column& column, std::span<const double> u) {
+  const auto& at = column.heights();
   const int top = at.n_layers() - 1;
-  return (divided_shear(at, u, top - 1) - divided_shear(at, u, top)) / at.thickness(top - 1);
+  return (divided_shear(column, u, top - 1) - divided_shear(column, u, top)) / at.thickness(top - 1);
 }
 
 /// du/dz in the middles of the layers.
-std::vector<double> shear_in_the_middle(const Heights& at, std::span<const double> u) {
+std::vector<double> shear_in_the_middle(const Column& column, std::span<const double> u) {
+  const auto& at = column.heights();
   std::vector<double> shear;
   const int top = at.n_layers() - 1;
   for (int k = 0; k <= top; ++k) {
-    const double here = k < top ? 0.5 * (divided_shear(at, u, k) + divided_shear(at, u, k + 1))
-                                : divided_shear(at, u, k) - divided_shear_slope(at, u) * 0.5 * at.thickness(k);
+    const double here = k < top ? 0.5 * (divided_shear(column, u, k) + divided_shear(column, u, k + 1))
+                                : divided_shear(column, u, k) - divided_shear_slope(column, u) * 0.5 * at.thickness(k);
     shear.push_back(here * std::sqrt(at.surface() - at.centre[k]));
   }
   return shear;
@@ -42,7 +47,7 @@ std::vector<LayerState> layer_states(const Column& column, double t, std::span<c
   const auto& par = column.parameters();
   const auto& at = column.heights();
   const auto c = column.context(t);
-  const auto shear = shear_in_the_middle(at, u);
+  const auto shear = shear_in_the_middle(column, u);
   std::vector<LayerState> states;
   for (int k = 0; k < at.n_layers(); ++k) {
     LayerState s{};
@@ -71,8 +76,8 @@ std::vector<LayerState> layer_states(const Column& column, double t, std::span<c
 double surface_speed(const Column& column, std::span<const double> u) {
   const auto& at = column.heights();
   const int top = at.n_layers() - 1;
-  const double half = 0.5 * at.thickness(top), slope = divided_shear_slope(at, u);
-  const double on_surface = divided_shear(at, u, top) - slope * at.thickness(top);
+  const double half = 0.5 * at.thickness(top), slope = divided_shear_slope(column, u);
+  const double on_surface = divided_shear(column, u, top) - slope * at.thickness(top);
   // The integral of (on_surface + slope s) sqrt(s) over the depth s of the upper half of the layer.
   return u[top] + half * std::sqrt(half) * (on_surface / 1.5 + slope * half / 2.5);
 }
@@ -81,7 +86,7 @@ Forces forces(const Column& column, double t, std::span<const double> u) {
   const auto& at = column.heights();
   const auto c = column.context(t);
   Forces f{};
-  const double on_base = shear_rate(at, u, 0);
+  const double on_base = shear_rate(column, u, 0);
   f.base_stress = -base_stress(c, on_base);
   std::vector<double> at_rest(u.size(), 0.0), rates(u.size());
   column.residual(t, u, at_rest, rates);

@@ -38,9 +38,13 @@ struct Box {
   Contact base = Contact::no_slip;
   double base_speed = 0.0;  ///< along x [m/s]; not read under free slip
   std::optional<double> base_friction =
-      {};                       ///< mu_b: grains slide on a no-slip base where they would pull harder than mu_b p [1]
-  std::optional<Lid> lid = {};  ///< none: the surface is free
+      {};                         ///< mu_b: grains slide on a no-slip base where they would pull harder than mu_b p [1]
+  double base_slip_length = 0.0;  ///< Navier's l of a no-slip base [m]: grains slip on it at l du/dz; 0: they stick
+  std::optional<Lid> lid = {};    ///< none: the surface is free
 };
+
+/// Whether grains may move along a no-slip base.
+inline bool base_slides(const Box& box) { return box.base_friction || box.base_slip_length > 0.0; }
 
 /// Slope of the base against the horizontal, positive down to the right [rad].
 inline double base_angle(const Box& box) { return box.tilt - std::atan(box.base_slope); }

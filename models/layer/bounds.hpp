@@ -29,9 +29,11 @@ inline double lid_speed(const Context& c, int f) {
   return par.forcing ? par.forcing->lid_speed(f, c.t) : par.box.lid->speed;
 }
 
-/// How a boundary to which grains stick moves at a face: its speed along x [m/s], and how that grows along x [1/s].
+/// How a boundary to which grains stick moves at a face.
 struct Sticking {
-  double speed, stretch;
+  double speed;              ///< along x [m/s]
+  double stretch;            ///< how that grows along x [1/s]
+  double slip_length = 0.0;  ///< Navier's l, of a base on which grains slip [m]
 };
 inline Sticking sticking(double (*speed)(const Context&, int), const Context& c, int f) {
   const double here = speed(c, f);
@@ -41,11 +43,18 @@ inline Sticking sticking(double (*speed)(const Context&, int), const Context& c,
   return {here, (speed(c, right) - speed(c, left)) / ((right - left) * c.columns.dx())};
 }
 
+inline Sticking base_contact(const Context& c, int f) {
+  Sticking base = sticking(base_speed, c, f);
+  base.slip_length = c.parameters->box.base_slip_length;
+  return base;
+}
+
 /// What bounds a column from below and above: the speeds [m/s] are those in its middle, where grains stick.
 struct Bounds {
   Contact base;
   double base_speed;
-  bool base_slides;  ///< grains stick to the base only as far as its friction holds them
+  double base_slip_length;  ///< Navier's [m]
+  bool base_slides;         ///< grains stick to the base only as far as its friction holds them
   Top top;
   double lid_speed;
 };
@@ -53,7 +62,7 @@ struct Bounds {
 inline Bounds bounds(const Context& c, int i) {
   const auto middle = [&](double (*speed)(const Context&, int)) { return 0.5 * (speed(c, i) + speed(c, i + 1)); };
   const auto& box = c.parameters->box;
-  Bounds b{box.base, 0.0, box.base_friction.has_value(), top_of(*c.parameters), 0.0};
+  Bounds b{box.base, 0.0, box.base_slip_length, box.base_friction.has_value(), top_of(*c.parameters), 0.0};
   if (b.base == Contact::no_slip) b.base_speed = middle(base_speed);
   if (b.top == Top::no_slip) b.lid_speed = middle(lid_speed);
   return b;

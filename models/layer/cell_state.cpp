@@ -25,7 +25,7 @@ double corner_inertial_number(const Layer& layer, const Context& c, std::span<co
   for (int j = 0; j < CornerSlots::n_in; ++j) inputs.y[j] = read(y, in[j]);
   const Heights<double, CornerSlots::n_in> g(c, f - 2, inputs, CornerSlots::H_);
   const bool slips = layer.parameters().box.base == Contact::free_slip;
-  const auto base = k == 0 && !slips ? std::optional(sticking(base_speed, c, f)) : std::nullopt;
+  const auto base = k == 0 && !slips ? std::optional(base_contact(c, f)) : std::nullopt;
   const auto strain = corner_strain(g, k, layer.columns().dx(), base, inputs.y);
   const auto& reg = layer.parameters().regularisation;
   const double floor = rheology::rate_floor(reg, 0.5 * (g.H(1) + g.H(2)));
@@ -85,8 +85,12 @@ double vertical_velocity(const Layer& layer, const Context& c, std::span<const d
   const auto u = [&](int layer_number) {
     return 0.5 * (read(y, at.u(i, layer_number)) + read(y, at.u(i + 1, layer_number)));
   };
-  if (k == 0 && layer.parameters().box.base == Contact::no_slip)
-    return bounds(c, i).base_speed * slope_at(layer, c, i, 0);
+  if (k == 0 && layer.parameters().box.base == Contact::no_slip) {
+    const auto below = bounds(c, i);
+    const double slope = slope_at(layer, c, i, 0), half = 0.5 * (c.z[c.at(i, 1)] - c.z[c.at(i, 0)]);
+    const double share = base_slip_share(below.base_slip_length, c.mobility[i].value, slope, half);
+    return (below.base_speed + share * (u(0) - below.base_speed)) * slope;
+  }
   const double u_here = k == 0 ? u(0) : (k < n ? 0.5 * (u(k - 1) + u(k)) : u(n - 1));
   return read(y, at.omega(i, k)) + u_here * slope_at(layer, c, i, k);
 }

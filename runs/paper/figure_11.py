@@ -24,7 +24,8 @@ def draw(talus, folder):
     flow.plot(1e3 * Q, Z, "o", color=look.BLUE, markersize=3, label="computed")
     flow.axvline(1e3 * RATE, color=look.ACCENT, label="poured in")
     flow.set(xlabel="Q [g s$^{-1}$]", xlim=(0.0, 6.0))
-    flow.legend(loc="lower left")
+    flow.set_ylabel("Z [m]")
+    flow.legend(loc="center left")
     look.grid(flow)
     for number, (axes, words) in enumerate(((phi, f"grains, t = {look.seconds(run.times[k])}"), (speed, "speed"), (flow, "flow through each height"))):
         look.label(axes, number, words)

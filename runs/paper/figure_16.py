@@ -6,6 +6,7 @@ import heap_runs
 import reproduction
 from comparison import Row
 from figure_9 import COLOURS, EXPERIMENT
+from heap_runs import UNRESOLVED
 from reproduction import look, plt
 from table_2 import PRINTED
 
@@ -20,7 +21,7 @@ def draw(talus, folder):
             run, k = heap.run, heap.run.steady_output
             angle = heap.number("heap_angle", run.times[k] - 0.1)
             axes.plot(*run.surface(run.field("height", k)), color=COLOURS[Q], linestyle=ONE_STYLE[heap.model],
-                      label=f"{1e3 * Q:.1f} g/s, {heap.model}: {angle:.2f}° at {look.seconds(run.times[k])}")
+                      label=f"{1e3 * Q:.1f} g/s, {heap.label}: {angle:.2f}° at {look.seconds(run.times[k])}")
             rows += row(heap, Q, angle, run.times[k])
         measured_face(axes, run, Q)
     axes.plot(*run.base(), color=look.INK, linewidth=2.0)
@@ -45,10 +46,10 @@ def row(heap, Q, angle, t):
     theory = f"; exact {exact:.2f}, with u_c {regularised:.2f}" if exact is not None and regularised is not None else ""
     return [
         Row(f"figures 4, 16, {heap.model}", f"slope of the steady heap, {1e3 * Q:.1f} g/s", f"measured {EXPERIMENT[Q]:g} deg, fitted {printed:.2f}",
-            f"{angle:.2f} deg", f"{angle - EXPERIMENT[Q]:+.2f} to the measured", f"computed at {t:g} s{theory}"),
+            f"{angle:.2f} deg", f"{angle - EXPERIMENT[Q]:+.2f} to the measured", f"computed at {t:g} s{theory}" + (f"; {UNRESOLVED}" if heap.reason("") else "")),
         Row(f"section 6.3, figure 16, {heap.model}", f"steeper than the experiment, {1e3 * Q:.1f} g/s", "slightly, all three", f"by {angle - EXPERIMENT[Q]:+.2f} deg",
-            *(("holds", "") if angle > EXPERIMENT[Q] else ("differs", "so is the exact slope for the printed parameters; the paper's heap is over-steep, "
-                                                            "as it says, for want of speed in its top cells")))]
+            *(("holds", "") if angle > EXPERIMENT[Q] else ("differs", heap.reason("so is the exact slope for the printed parameters; the paper's heap is over-steep, "
+                                                                       "as it says, for want of speed in its top cells"))))]
 
 
 def costs(talus):

@@ -1,23 +1,26 @@
 """The two-dimensional runs behind figures 11 to 19: run once, kept, and continued where they were stopped. A heap lies in
-runs/<scene>_<preset>. Heaps by the two-fluid model take hours: where one stands in runs/two_fluid_<scene> it is drawn beside."""
+runs/<scene>_<preset>, the same by the two-fluid model, on cells of 10 mm, in runs/two_fluid_<scene>_<preset>."""
 
 import json
 import subprocess
 import sys
+import tomllib
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 import reproduction  # noqa: F401, finds src/plot
-from run_data import Missing, Run
-from talus import ROOT
+from run_data import Run
+from talus import ROOT, settings, status
 
 EXAMPLES = ROOT / "runs" / "examples"
+TWO_FLUID = ROOT / "runs" / "benchmarks" / "two_fluid_heap.toml"
 INFLOWS = {"heap_q20": 0.0020, "heap_q46": 0.0046, "heap_q60": 0.0060}  # kg/s
 STOP = 150.0                                                           # s, of the inflow of 0.0046 kg/s
 BASE_FRICTION = 0.25
+CELLS = {"draft": (30, 15), "standard": (60, 30), "fine": (60, 30)}     # of the two-fluid model: 20 mm, 10 mm
 RESTARTABLE = 75
+UNRESOLVED = "not resolved: its cells are deeper than the layer that flows"
 
 
 @dataclass
@@ -25,6 +28,15 @@ class Heap:
     """A finished run; masses without the film that lies in the box from the start."""
     run: Run
     model: str
+
+    @property
+    def label(self):
+        """The model, and the size of cells that do not resolve the flowing layer."""
+        return self.model if self.model.startswith("layer") else f"{self.model}, cells of {1e3 * np.diff(self.run.x_face).max():.0f} mm"
+
+    def reason(self, of_the_layer):
+        """Why a number differs: that of the layer model, or the one reason of a heap that is not resolved."""
+        return of_the_layer if self.model.startswith("layer") else UNRESOLVED
 
     @property
     def film(self):
@@ -43,8 +55,12 @@ class Heap:
         """In words, for the page."""
         summary = json.loads((self.run.folder / "summary.json").read_text())
         sizes = self.run.data.sizes
-        return (f"{self.run.folder.name}, {sizes['column']}x{sizes['layer']} cells: {summary['cpu_seconds']:.0f} s of CPU, "
+        return (f"{self.run.folder.name}, {sizes['column']}x{sizes['layer']} cells: {self.cpu_seconds:.0f} s of CPU, "
                 f"{summary['statistics']['steps']} steps, by {summary['git_revision']}")
+
+    @property
+    def cpu_seconds(self):
+        return json.loads((self.run.folder / "summary.json").read_text())["cpu_seconds"]
 
 
 def layer(talus, scene):
@@ -64,17 +80,23 @@ def jet(talus):
 
 
 def two_fluid(talus, scene):
-    """The same by the two-fluid model, None where nobody has run it. A run that was stopped shows what there is."""
-    folder = talus.out / "runs" / f"two_fluid_{scene}"
-    try:
-        return Heap(Run(folder), "two-fluid") if status(folder) else None
-    except Missing as reason:
-        print(f"{folder.name}: {reason}", file=sys.stderr)
-        return None
+    """The same inflow by the two-fluid model; heaps that no figure shows draining only to the end of their inflow."""
+    example = tomllib.loads((EXAMPLES / f"{scene}.toml").read_text(encoding="utf-8"))
+    rate, mu_w = example["inflow"]["rate"], example["wall"]["mu_w"]
+    stop = example["inflow"].get("stop", example["time"]["end"])
+    drains = scene == "heap_q46"
+    columns, layers = CELLS[talus.preset]
+    keys = {"grid.columns": columns, "grid.layers": layers, "inflow.rate": rate, "inflow.stop": stop, "wall.mu_w": mu_w,
+            "time.end": example["time"]["end"] if drains else min(stop + 1.0, example["time"]["end"])}
+    keys["output.times"] = [t for t in example["output"]["times"] if t <= keys["time.end"]]
+    if mu_w > 0.0:
+        keys["two_fluid.cells"] = "reachable"  # a third fewer
+    sets = settings(f"{key}={value}" for key, value in keys.items())
+    return Heap(kept(talus, TWO_FLUID, f"two_fluid_{scene}_{talus.preset}", sets), "two-fluid")
 
 
 def both(talus, scene):
-    return [heap for heap in (layer(talus, scene), two_fluid(talus, scene)) if heap is not None]
+    return [layer(talus, scene), two_fluid(talus, scene)]
 
 
 def costs(talus, scenes):
@@ -82,10 +104,10 @@ def costs(talus, scenes):
     return [heap.cost for scene in scenes for heap in both(talus, scene)]
 
 
-def status(folder):
-    """What a run's summary says, "" where there is none."""
-    summary = Path(folder) / "summary.json"
-    return json.loads(summary.read_text())["status"] if summary.exists() else ""
+def cpu_seconds(talus):
+    """Of the kept runs of this preset: (name, seconds)."""
+    kept_ones = sorted([*(talus.out / "runs").glob(f"*heap*_{talus.preset}"), *(talus.out / "runs").glob("two_fluid_jet")])
+    return [(folder.name, json.loads((folder / "summary.json").read_text())["cpu_seconds"]) for folder in kept_ones if status(folder) == "finished"]
 
 
 def kept(talus, scene, name, options=()):

@@ -97,10 +97,17 @@ class Talus:
         return json.loads(self.call("rheology", HERE / material, "--json", "--law", word, *arguments))["laws"][0]
 
     def run(self, scene, name, sets):
-        """Runs a scene into a folder, which it returns."""
+        """Runs a scene into a folder, which it returns; not again where it has been run."""
         folder = self.out / "runs" / name
-        self.call("run", HERE / scene, "--out", folder, "--force", *settings(sets))
+        if status(folder) != "finished":
+            self.call("run", HERE / scene, "--out", folder, "--force", *settings(sets))
         return folder
+
+
+def status(folder):
+    """What a run's summary says, "" where there is none."""
+    summary = Path(folder) / "summary.json"
+    return json.loads(summary.read_text())["status"] if summary.exists() else ""
 
 
 def last_profile(folder):

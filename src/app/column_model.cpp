@@ -17,7 +17,7 @@ steady::Answer<steady::RegularisedProfile> steady_start(const Scene& scene) {
   const double zeta = experiment::base_angle(box);
   if (!(zeta > 0.0))
     return steady::Answer<steady::RegularisedProfile>::none("the base does not slope down to the right");
-  if (box.base_friction)
+  if (experiment::base_slides(box))
     return steady::Answer<steady::RegularisedProfile>::none("not known over a base on which grains may slide");
   return steady::RegularisedProfile::at({channel_of(scene), scene.regularisation, scene.wall.u_c,
                                          experiment::normal_thickness(box, scene.initial.thickness)},

@@ -87,6 +87,7 @@ experiment::Box box_of(const Values& v) {
           .base = words::meaning(words::contacts, v.text("box.base")),
           .base_speed = v.number("box.base_speed"),
           .base_friction = v.has("box.base_friction") ? std::optional(v.number("box.base_friction")) : std::nullopt,
+          .base_slip_length = v.number("box.base_slip_length"),
           .lid = lid_of(v)};
 }
 

@@ -46,6 +46,9 @@ class CrossChecks {
     if (slips("box.base") && box.base_friction)
       refuse("box.base_friction",
              "grains slip along the base without friction; expected no such key, or box.base = \"no_slip\"");
+    if (slips("box.base") && box.base_slip_length > 0.0)
+      refuse("box.base_slip_length",
+             "grains slip along the base without shear stress; expected 0 m, or box.base = \"no_slip\"");
     if (!slips("box.end_walls") && (box.periodic || (box.left_open && box.right_open)))
       refuse("box.end_walls", "neither end is a wall; expected \"wall\" for box.left or box.right");
   }

@@ -36,6 +36,10 @@ void experiment(Schema& s) {
                "mu_b of a no-slip base: grains slide on it where they would pull harder than mu_b p")
             .above(0.0)
             .optional("they stick, whatever the shear"));
+  s.add(number("base_slip_length", "m",
+               "Navier's l of a no-slip base: grains slip on it at l du/dz; with base_friction the smaller stress acts")
+            .at_least(0.0)
+            .fallback(0.0));
   s.add(number("base_slope", "1", "rise of the base over x against the grid's x axis; column lines stay normal to x")
             .fallback(0.0));
   const auto has_lid = [](const Values& v) { return words::meaning(words::surfaces, v.text("box.surface")); };

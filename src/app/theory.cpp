@@ -97,7 +97,7 @@ void poured(const Scene& s, Theory& theory) {
     theory.reason = "none: the base does not slope down to the right";
     return;
   }
-  if (s.box.base_friction) {
+  if (experiment::base_slides(s.box)) {
     theory.reason = "not known over a base on which grains may slide";
     return;
   }
@@ -114,7 +114,7 @@ void left_to_itself(const Scene& s, Theory& theory) {
     theory.reason = "none: the base does not slope down to the right";
     return;
   }
-  if (s.box.base_friction) {
+  if (experiment::base_slides(s.box)) {
     theory.reason = "not known over a base on which grains may slide";
     return;
   }

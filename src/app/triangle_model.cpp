@@ -20,6 +20,8 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
     refuse("box.base", "grains stick to the triangle's base, which stands still; expected no_slip" + instead);
   if (scene.box.base_friction)
     refuse("box.base_friction", "grains stick to the triangle's base; expected no such key" + instead);
+  if (scene.box.base_slip_length > 0.0)
+    refuse("box.base_slip_length", "grains stick to the triangle's base; expected 0 m" + instead);
   if (scene.box.base_slope != 0.0) refuse("box.base_slope", "the triangle stands on the grid's x axis; expected 0");
   if (!(scene.inflow.rate > 0.0)) refuse("inflow.rate", "the triangle grows by what is poured; expected above 0 kg/s");
   if (!(scene.wall.mu_w > 0.0)) refuse("wall.mu_w", "without wall friction no heap stands; expected above 0" + instead);

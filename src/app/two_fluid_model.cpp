@@ -25,6 +25,8 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
            "grains and air stick to a base that stands still; expected no_slip and base_speed = 0" + instead);
   if (box.base_friction)
     refuse("box.base_friction", "grains and air stick to the base; expected no such key" + instead);
+  if (box.base_slip_length > 0.0)
+    refuse("box.base_slip_length", "grains and air stick to the base; expected 0 m" + instead);
   if (box.base_slope != 0.0) refuse("box.base_slope", "the base is a grid line; expected 0, and the slope in box.tilt");
   if (box.end_walls == experiment::Contact::no_slip)
     refuse("box.end_walls", "grains and air slip along end walls; expected free_slip" + instead);

@@ -13,10 +13,13 @@ ROMAN = ("i", "ii", "iii", "iv", "v", "vi", "vii", "viii")
 def draw(run, folder):
     growth, drain = run.still_outputs()
     phases = [("a", k) for k in growth] + [("b", k) for k in drain]
-    return [draw_one(run, folder, phases, *what) for what in (
-        ("speed", "|u| [m s$^{-1}$]", "speed", "viridis", speed),
-        ("pressure", "p [Pa]", "pressure", "cividis", pressure),
-        ("inertial_number", "log$_{10}$ I", "inertial number", "magma", log_inertial_number))]
+    return [draw_one(run, folder, phases, *what) for what in quantities()]
+
+
+def quantities():
+    """(name, symbol, words, colours, reader) of each field that is drawn."""
+    return (("speed", "|u| [m s$^{-1}$]", "speed", "viridis", speed), ("pressure", "p [Pa]", "pressure", "cividis", pressure),
+            ("inertial_number", "log$_{10}$ I", "inertial number", "magma", log_inertial_number))
 
 
 def speed(run, k):
@@ -30,6 +33,13 @@ def pressure(run, k):
 def log_inertial_number(run, k):
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.log10(run.field("inertial_number", k))
+
+
+def of_grains(run, k, read):
+    """A field without air and without columns that hold no more than the film."""
+    masked = run.grains_only(read(run, k), k)
+    masked[:, run.is_film(run.field("height", k))] = np.ma.masked
+    return masked
 
 
 def limits(name, fields):
@@ -68,11 +78,7 @@ def make_panels(n, aspect):
 
 def draw_one(run, folder, phases, name, symbol, words, colours, read):
     outputs = [k for _, k in phases]
-    fields = []
-    for k in outputs:
-        masked = run.grains_only(read(run, k), k)
-        masked[:, run.is_film(run.field("height", k))] = np.ma.masked
-        fields.append(masked)
+    fields = [of_grains(run, k, read) for k in outputs]
     low, high = limits(name, fields)
 
     X0, X1, Z0, Z1 = run.extent(outputs)
@@ -82,17 +88,10 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
     figure, panels, colour_axes = make_panels(len(phases), (Z1 - Z0) / (X1 - X0))
     count = {"a": 0, "b": 0}
     for axes, (phase, k), field in zip(panels, phases, fields):
-        def paint(on):
-            mesh = on.pcolormesh(*run.nodes(k), field, cmap=colours, vmin=low, vmax=high)
-            on.plot(*run.surface(run.field("height", k)), color=look.INK, linewidth=0.6)
-            on.plot(*run.base(), color=look.INK, linewidth=1.4)
-            if name == "inertial_number":
-                draw_cap(on, run, k)
-            return mesh
-        mesh = paint(axes)
+        mesh = paint(axes, run, k, name, field, cmap=colours, vmin=low, vmax=high)
         axes.set(aspect="equal", xlim=(X0, X1), ylim=(Z0, Z1))
         if close_up:
-            draw_close_up(axes, run, k, paint)
+            draw_close_up(axes, run, k, lambda on: paint(on, run, k, name, field, cmap=colours, vmin=low, vmax=high))
         axes.set_title(f"({phase} {ROMAN[count[phase] % len(ROMAN)]})  t = {look.seconds(run.times[k])}", loc="left")
         count[phase] += 1
     figure.colorbar(mesh, cax=colour_axes, label=symbol, extend="both" if name == "inertial_number" else "max")
@@ -101,6 +100,16 @@ def draw_one(run, folder, phases, name, symbol, words, colours, read):
         title += "; the viscosity is capped inside the dashed line"
     figure.suptitle(title, y=1.0 - 0.15 / figure.get_figheight(), va="top")
     return look.save(figure, folder, f"field_{name}.png")
+
+
+def paint(axes, run, k, name, field, **colours):
+    """The field with the surface and the base, as mesh."""
+    mesh = axes.pcolormesh(*run.nodes(k), field, **colours)
+    axes.plot(*run.surface(run.field("height", k)), color=look.INK, linewidth=0.6)
+    axes.plot(*run.base(), color=look.INK, linewidth=1.4)
+    if name == "inertial_number":
+        draw_cap(axes, run, k)
+    return mesh
 
 
 def draw_close_up(axes, run, k, paint):

@@ -67,6 +67,8 @@ void expect_rows_of_the_layer_model(std::vector<std::string> settings) {
 TEST(Column, RowsAreThoseOfTheLayerModelForAUniformLayer) {
   expect_rows_of_the_layer_model({});
   expect_rows_of_the_layer_model({"box.base_friction=0.3"});
+  expect_rows_of_the_layer_model({"box.base_slip_length=2e-3"});
+  expect_rows_of_the_layer_model({"box.base_slip_length=2e-3", "box.base_friction=0.6"});
 }
 
 TEST(Column, BaseSlopeIsAnotherWayToTilt) {

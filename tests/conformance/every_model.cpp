@@ -33,6 +33,7 @@ const std::vector<std::vector<std::string>> variants{{"rheology.cap=smooth"},
                                                      {"rheology.law=constant", "rheology.rate_floor=0.1"},
                                                      {"wall.u_c=0.1", "rheology.p_0=0"},
                                                      {"box.base_friction=0.3"},
+                                                     {"box.base_slip_length=2e-3", "box.base_friction=0.6"},
                                                      {"inflow.momentum=true"},
                                                      {"inflow.along_gravity=false"}};
 

@@ -128,10 +128,10 @@ TEST_P(LayerSymmetry, GravityActsByItsTwoComponents) {
 
 /// A uniform layer whose base, surface and velocities lean by alpha against the grid, in a box that is tilted the other way: its
 /// rows are the tangential and the upright part of those of the layer along the grid.
-TEST(Layer, RowsOfAUniformLayerTurnWithItsBase) {
+void expect_rows_that_turn_with_the_base(const std::string& base) {
   const int nx = 6, nz = 7;
   const auto level = app::make_layer_parameters(
-      small("chute_periodic", nx, nz, {"rheology.rate_speed=0", "rheology.rate_floor=0.3", "box.base_slope=0"}));
+      small("chute_periodic", nx, nz, {"rheology.rate_speed=0", "rheology.rate_floor=0.3", "box.base_slope=0", base}));
   const layer::Layer aligned(level);
   const auto& at = aligned.unknowns();
   State state(aligned, 13);
@@ -168,6 +168,11 @@ TEST(Layer, RowsOfAUniformLayerTurnWithItsBase) {
       EXPECT_NEAR(turned[at.continuity(2, k)], 0.0, 1e-12) << k;
     }
   }
+}
+
+TEST(Layer, RowsOfAUniformLayerTurnWithItsBase) {
+  expect_rows_that_turn_with_the_base("box.base_slip_length=0");
+  expect_rows_that_turn_with_the_base("box.base_slip_length=2e-3");
 }
 
 /// Without weight, side walls and base friction the momentum along x of a periodic layer keeps its sum: stresses, pressure and

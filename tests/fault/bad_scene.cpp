@@ -112,6 +112,13 @@ INSTANTIATE_TEST_SUITE_P(
             "BaseThatSlipsAndRubs", "gravity = 9.81 ", "base = \"free_slip\"\nbase_friction = 0.3\ngravity = 9.81 ",
             "<base_friction>: box.base_friction: grains slip along the base without friction; expected no such key, or "
             "box.base = \"no_slip\""},
+        Mistake{"BaseThatSlipsTwice", "gravity = 9.81 ",
+                "base = \"free_slip\"\nbase_slip_length = 1e-3\ngravity = 9.81 ",
+                "<base_slip_length>: box.base_slip_length: grains slip along the base without shear stress; expected 0 "
+                "m, or "
+                "box.base = \"no_slip\""},
+        Mistake{"SlipBackwards", "gravity = 9.81 ", "base_slip_length = -1e-3\ngravity = 9.81 ",
+                "<base_slip_length>: box.base_slip_length: expected a number of at least 0 [m], found -0.001"},
         Mistake{"BaseThatSlipsAndMoves", "gravity = 9.81 ", "base = \"free_slip\"\nbase_speed = 0.1\ngravity = 9.81 ",
                 "<base_speed>: box.base_speed: grains slip along the base; expected 0 m/s, or box.base = \"no_slip\""},
         Mistake{"WallsThatAreNotThere", "gravity = 9.81 ", "end_walls = \"no_slip\"\ngravity = 9.81 ",

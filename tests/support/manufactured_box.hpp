@@ -73,6 +73,7 @@ struct BoxCase {
   layer::Advection advection = layer::Advection::central;
   std::vector<int> cells = {8, 16, 32};
   double order_u = 1.8, order_p = 1.7;  ///< at least, between the last two grids
+  double slip_length = 0.0;             ///< of the base [m]
 };
 inline void PrintTo(const BoxCase& c, std::ostream* out) { *out << c.solution << " " << c.grid; }
 
@@ -85,6 +86,7 @@ inline void expect_box_order(const std::string& table_name, const BoxCase& c) {
   for (const int n : c.cells) {
     auto par = parameters_of(c.solution, reference, n);
     par.numerics.advection = c.advection;
+    par.box.base_slip_length = c.slip_length;
     par.grid.spacing = c.spacing;
     par.grid.cluster_depth = 0.5;  // the lowest layer is three times as thick as the uppermost
     const auto forcing =

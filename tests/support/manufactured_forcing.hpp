@@ -17,6 +17,7 @@ class ManufacturedForcing : public layer::Forcing {
 
   ManufacturedForcing(const layer::Parameters& par, Flow flow, Medium medium, Surface surface)
       : columns_{par.grid.columns, par.grid.layers, par.box.length, par.box.periodic},
+        slip_length_(par.box.base_slip_length),
         layering_(par.grid.layers, par.grid.cluster_depth, par.grid.spacing),
         flow_(std::move(flow)),
         medium_(std::move(medium)),
@@ -32,7 +33,11 @@ class ManufacturedForcing : public layer::Forcing {
     const double x = columns_.x_face(f);
     return balance_of(flow_at(flow_, x, middle(height(x, t), k), t), medium_).force;
   }
-  [[nodiscard]] double base_speed(int f, double t) const override { return exact(columns_.x_face(f), 0.0, t).u; }
+  /// By so much slower than the flow as its grains slip.
+  [[nodiscard]] double base_speed(int f, double t) const override {
+    const auto u = flow_at(flow_, columns_.x_face(f), 0.0, t).u;
+    return u.value - slip_length_ * u.first[Taylor2::z];
+  }
   [[nodiscard]] double lid_speed(int f, double t) const override {
     const double x = columns_.x_face(f);
     return exact(x, height(x, t), t).u;
@@ -70,6 +75,7 @@ class ManufacturedForcing : public layer::Forcing {
   }
 
   grid::Columns columns_;
+  double slip_length_;
   grid::Layering layering_;
   Flow flow_;
   Medium medium_;

@@ -46,8 +46,8 @@ inline app::Scene rescaled(app::Scene scene, const Units& units) {
   auto& reg = scene.regularisation;
   auto& in = scene.inflow;
   auto& by = scene.integration;
-  grow(L, scene.box.length, scene.box.height, scene.box.gap, scene.grains.d, in.position, in.width, scene.numerics.film,
-       scene.initial.thickness, scene.cells.cluster_depth, by.atol_height);
+  grow(L, scene.box.length, scene.box.height, scene.box.gap, scene.box.base_slip_length, scene.grains.d, in.position,
+       in.width, scene.numerics.film, scene.initial.thickness, scene.cells.cluster_depth, by.atol_height);
   auto& two = scene.two_fluid;
   grow(L, two.jet_margin, two.jet_clearance, two.reach.margin);
   grow(L / T, two.segregation_speed, two.upwind_speed, two.return_speed);

@@ -36,7 +36,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(tests::BoxCase{"newton", "uniform", uniform}, tests::BoxCase{"mui_nowall", "uniform", uniform},
                     tests::BoxCase{"mui", "uniform", uniform}, tests::BoxCase{"newton", "stretched", clustered},
                     tests::BoxCase{"mui", "stretched", clustered},
-                    tests::BoxCase{"mui", "upwind", uniform, layer::Advection::upwind, {8, 16, 32}, 0.9, 0.9}),
+                    tests::BoxCase{"mui", "upwind", uniform, layer::Advection::upwind, {8, 16, 32}, 0.9, 0.9},
+                    tests::BoxCase{"newton", "slip", uniform, layer::Advection::central, {8, 16, 32}, 1.8, 1.7, 0.2},
+                    tests::BoxCase{
+                        "mui", "slip_stretched", clustered, layer::Advection::central, {8, 16, 32}, 1.8, 1.7, 0.2}),
     [](const auto& each) { return each.param.solution + "_" + each.param.grid; });
 
 }  // namespace

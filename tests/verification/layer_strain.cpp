@@ -54,10 +54,12 @@ struct Sampled {
     for (int j = 0; j < Slots::n_in; ++j) in.y[j] = fv::read(y, from[j]);
     return in;
   }
-  [[nodiscard]] layer::CornerStrain<double> at_corner(int f, int k) const {
+  /// `base`: how grains meet it, for k = 0.
+  [[nodiscard]] layer::CornerStrain<double> at_corner(int f, int k,
+                                                      const std::optional<layer::Sticking>& base = {}) const {
     const auto in = inputs<layer::CornerSlots>(f, k);
     const layer::Heights<double, layer::CornerSlots::n_in> g(system.context(0.0, y), f - 2, in, layer::CornerSlots::H_);
-    return layer::corner_strain(g, k, system.columns().dx(), {}, in.y);
+    return layer::corner_strain(g, k, system.columns().dx(), base, in.y);
   }
   [[nodiscard]] layer::CornerStrain<double> at_centre(int i, int k) const {
     const auto in = inputs<layer::CentreSlots>(i, k);
@@ -102,6 +104,32 @@ TEST(LayerStrain, ConvergesToThatOfALinearVelocityOnLeaningLayers) {
         EXPECT_GT(diagnostics::observed_orders(h, error).back(), 1.8) << surface << " " << base;
       }
     }
+  }
+}
+
+/// A shear that varies along the base, on which grains slip by l times it: they stretch along it, at the rate of that.
+TEST(LayerStrain, OfGrainsThatSlipOnTheBaseConvergesToItsOwn) {
+  const double a = 2.0, c = 6.0, l = 0.02;  // [1/s], [1/s m], [m]
+  const Flow flow{[&](double x, double z) { return (a + c * x) * (z + l); },
+                  [&](double, double z) { return -c * z * (0.5 * z + l); }};
+  tests::Table table("layer_strain_slip", {"surface", "cells", "error of D_xx [1/s]", "error of D_xz [1/s]"});
+  for (const double surface : {0.0, 0.6, -0.3}) {
+    std::vector<double> h, error;
+    for (const int n : {8, 16, 32}) {
+      const Sampled grid(n, surface, 0.0, flow);
+      double along = 0.0, shear = 0.0;
+      for (int f = 3; f < n - 3; ++f) {
+        const auto D = grid.at_corner(f, 0, layer::Sticking{0.0, 0.0, l});
+        along = std::max(along, std::abs(D.D_xx - c * l));
+        shear = std::max(shear, std::abs(D.D_xz - 0.5 * (a + c * grid.system.columns().x_face(f))));
+      }
+      h.push_back(1.0 / n);
+      error.push_back(along);
+      EXPECT_LT(shear, 1e-12) << surface;
+      table.row({surface, double(n), along, shear});
+    }
+    EXPECT_LT(error.back(), 1e-3 * c * l) << surface;
+    if (error.front() > 1e-12) { EXPECT_GT(diagnostics::observed_orders(h, error).back(), 1.8) << surface; }
   }
 }
 

@@ -74,31 +74,51 @@ TEST(LayerViscous, StokesFirstProblem) {
       [&](double z, double t) { return U * std::erfc(z / (2.0 * std::sqrt(nu * t))); });
 }
 
-TEST(LayerViscous, FilmStartsDownASlope) {
+/// Wave number [1/m] of the n-th mode cos(b d) of a film, d the depth: b l tan(b h) = 1.
+double wave_number(int n, double h, double l) {
+  double low = n * pi / h, high = (n + 0.5) * pi / h;
+  if (l == 0.0) return high;
+  for (int i = 0; i < 200; ++i) {
+    const double b = 0.5 * (low + high);
+    (b * l * std::tan(b * h) < 1.0 ? low : high) = b;
+  }
+  return 0.5 * (low + high);
+}
+
+/// A film on a base on which it slips by Navier's length `l` [m], from rest to its parabola.
+void expect_film_starts(const char* name, double l) {
   const auto problem = support::reference("newtonian_film.json");
   const double nu = problem.at("nu"), pull = problem.at("g_sin_zeta"), h = problem.at("thickness");
   nlohmann::json samples = problem.at("samples");  // their z is 0 at the surface
   for (auto& s : samples) s["z"] = s.at("z").get<double>() + h;
+  if (l > 0.0) samples.clear();
+  std::vector<double> waves;
+  for (int n = 0; n < 400; ++n) waves.push_back(wave_number(n, h, l));
   const double tilt = pi / 6.0;
   expect_profiles(
-      "layer_film", samples, {1.0, 5.0, 20.0, 100.0}, 50.0,
+      name, samples, {1.0, 5.0, 20.0, 100.0}, 50.0,
       [&](int n) {
         auto par = tests::fluid_box(nu, 2, n);
         par.box.lid.reset();
         par.box.tilt = tilt;
         par.box.gravity = pull / std::sin(tilt);
+        par.box.base_slip_length = l;
         return par;
       },
       [&](double z, double t) {
         const double d = h - z;
-        double u = 0.5 * pull / nu * (h * h - d * d), sign = 1.0;
-        for (int n = 0; n < 400; ++n, sign = -sign) {
-          const double b = (n + 0.5) * pi / h;
-          u -= 2.0 * pull * sign / (nu * h * b * b * b) * std::cos(b * d) * std::exp(-nu * b * b * t);
+        double u = pull / nu * (0.5 * (h * h - d * d) + l * h);
+        for (const double b : waves) {
+          const double norm = 0.5 * h + std::sin(2.0 * b * h) / (4.0 * b);
+          u -= pull * std::sin(b * h) / (nu * b * b * b * norm) * std::cos(b * d) * std::exp(-nu * b * b * t);
         }
         return u;
       });
 }
+
+TEST(LayerViscous, FilmStartsDownASlope) { expect_film_starts("layer_film", 0.0); }
+
+TEST(LayerViscous, FilmStartsOnABaseOnWhichItSlips) { expect_film_starts("layer_film_slip", 0.3); }
 
 struct Vortices {
   std::string name;

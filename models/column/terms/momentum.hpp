@@ -4,7 +4,7 @@
 
 #include "column/context.hpp"
 #include "fv/term.hpp"
-#include "rheology/basal_friction.hpp"
+#include "rheology/basal_slip.hpp"
 #include "rheology/wall_friction.hpp"
 
 namespace talus::column {
@@ -62,7 +62,14 @@ S shear_viscosity(const Context& c, const S& shear_rate, double p) {
                              S(0.25 * shear_rate * shear_rate), c.rate_floor, S(p));
 }
 
-/// Shear stress on the base [Pa], given the shear rate of grains that stick to it: less where its friction does not hold them.
+/// Speed of the grains under interface k [m/s], given the speeds of the layers: on the base, k = 0, that at which they slip on it.
+template <class S>
+S speed_below(const Heights& at, double slip_length, int k, const S& below, const S& above) {
+  return k > 0 ? below : S(rheology::slip_share(slip_length, at.distance(0)) * above);
+}
+
+/// Shear stress on the base [Pa], given the shear rate of grains that stick to it, or slip by Navier's length: less where its friction
+/// does not hold them.
 template <class S>
 S base_stress(const Context& c, const S& shear_rate) {
   const double p = c.pressure(c.heights->interface[0]);
@@ -73,8 +80,7 @@ S base_stress(const Context& c, const S& shear_rate) {
   return rheology::limited_shear(stuck, S(stuck / limit));
 }
 
-/// Shear stress eta du/dz on interface k, upon which layer k pulls layer k - 1 along; on the base, k = 0, the speed below
-/// is zero. The surface bears no stress.
+/// Shear stress eta du/dz on interface k, upon which layer k pulls layer k - 1 along, or the base, k = 0. The surface bears no stress.
 struct ShearStress : Kernel {
   static constexpr int n_in = 2, n_out = 2;
   static constexpr bool uses_rate = false;
@@ -86,7 +92,8 @@ struct ShearStress : Kernel {
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int k = static_cast<int>(place);
-    const S shear_rate = (in.y[1] - in.y[0]) / c.heights->distance(k);
+    const S below = speed_below(*c.heights, c.parameters->box.base_slip_length, k, in.y[0], in.y[1]);
+    const S shear_rate = (in.y[1] - below) / c.heights->distance(k);
     const S tau = k == 0 ? base_stress(c, shear_rate)
                          : S(shear_viscosity(c, shear_rate, c.pressure(c.heights->interface[k])) * shear_rate);
     out[0] -= tau;

@@ -5,7 +5,7 @@
 
 #include "layer/bounds.hpp"
 #include "layer/terms/kernel.hpp"
-#include "rheology/basal_friction.hpp"
+#include "rheology/basal_slip.hpp"
 
 namespace talus::layer {
 
@@ -32,9 +32,18 @@ Stress<S> stress(const Parameters& par, const S& D_xx, const S& D_xz, const S& p
   return {two_eta * D_xx, two_eta * D_xz};
 }
 
+/// Share of the grains' speed over the base, `distance` above it along z, at which they slip on a base of that slope; an immobile film
+/// sticks, as it does whatever the base's friction.
+template <class S>
+S base_slip_share(double slip_length, const S& mobility, const S& slope, const S& distance) {
+  using std::sqrt;
+  using core::sqrt;
+  return rheology::slip_share(S(slip_length * mobility * sqrt(S(1.0 + slope * slope))), distance);
+}
+
 /// Strain rate at a cell corner: interface k of face f, k < n_layers. The shear across layers is one compact difference;
 /// D_xx follows from D_zz by incompressibility; on the base the velocity below is the base's, and where grains stick to it (`base`),
-/// so is the stretch along it.
+/// so is the stretch along it; where they slip by Navier's length, both are partly those of the lowest layer.
 template <class S>
 struct CornerStrain {
   S D_xx, D_xz;
@@ -65,15 +74,24 @@ CornerStrain<S> corner_strain(const Heights<S, N>& g, int k, double dx, const st
   const S* omega_right = omega_left + 3;
   const auto omega = [&](int j) { return S(0.5 * (omega_left[j] + omega_right[j])); };
   const S& u_above = y[1];
-  const S u_below = k > 0 ? y[0] : (base ? S(base->speed) : u_above);
+  S u_below = k > 0 ? y[0] : (base ? S(base->speed) : u_above);
+  S base_stretch(base ? base->stretch : 0.0);
   const S slope = g.slope_corner(2, k);
   const S w_above = u_above * g.slope_face(2, k) + 0.5 * (omega(1) + omega(2));
   const S dz = k > 0 ? S(0.5 * (g.h_face(2, k - 1) + g.h_face(2, k))) : S(0.5 * g.h_face(2, 0));
+  if (k == 0 && base && base->slip_length > 0.0) {
+    const S share = base_slip_share(base->slip_length, S(0.5 * (g.mobility(1) + g.mobility(2))), slope, dz);
+    const S over = u_above - base->speed, thickens = g.slope_corner(2, 1) - slope;
+    // Along the lowest layer its grains stretch by what leaves it; the share falls as the layer thickens.
+    base_stretch += share * (-0.5 * (omega(2) + u_above * thickens) / dz - base->stretch);
+    base_stretch -= share * (1.0 - share) * over * (0.5 * thickens / dz);
+    u_below += share * over;
+  }
   const S w_below = k > 0 ? S(u_below * g.slope_face(2, k - 1) + 0.5 * (omega(0) + omega(1))) : S(u_below * slope);
   const S u = k > 0 ? S(0.5 * (u_below + u_above)) : u_below;
   const S u_z = (u_above - u_below) / dz;
   // A one-sided dw/dz would be of order 1, and p of the lowest layer with it.
-  const S w_z = k == 0 && base ? S(slope * u_z - base->stretch) : S((w_above - w_below) / dz);
+  const S w_z = k == 0 && base ? S(slope * u_z - base_stretch) : S((w_above - w_below) / dz);
   const S stretch = slope * u_z - w_z;  // du/dx along the layer
   const S w_x = stretch * slope + u * ((g.slope(2, k) - g.slope(1, k)) / dx) + (omega_right[1] - omega_left[1]) / dx;
   return {-w_z, S(0.5 * (u_z + w_x - slope * w_z))};
@@ -147,7 +165,7 @@ struct CornerStress : Kernel, CornerSlots {
       return;
     }
     const auto strain =
-        corner_strain(g, k, columns.dx(), k == 0 ? std::optional(sticking(base_speed, c, f)) : std::nullopt, in.y);
+        corner_strain(g, k, columns.dx(), k == 0 ? std::optional(base_contact(c, f)) : std::nullopt, in.y);
     const auto tau = stress(par, strain.D_xx, strain.D_xz, p, H);
     S T_x = width(f) * (tau.xz - slope * tau.xx);
     S T_z = width(f) * (-tau.xx - slope * tau.xz);
@@ -200,7 +218,9 @@ CornerStrain<S> centre_strain(const Heights<S, N>& g, int k, int n_layers, doubl
   const S h = g.h(2, k);
   // Below and above, either the next layer, or a wall, or the mirror image beyond a boundary free of shear.
   const bool on_smooth_base = k == 0 && bounds.base == Contact::free_slip;
-  const S u_below = k > 0 ? u(0) : (on_smooth_base ? u(1) : S(bounds.base_speed));
+  S u_below = k > 0 ? u(0) : (on_smooth_base ? u(1) : S(bounds.base_speed));
+  if (k == 0 && bounds.base_slip_length > 0.0)
+    u_below += base_slip_share(bounds.base_slip_length, g.mobility(2), g.slope(2, 0), S(0.5 * h)) * (u(1) - u_below);
   const S reach_down = k > 0 ? S(0.5 * (g.h(2, k - 1) + h)) : (on_smooth_base ? h : S(0.5 * h));
   S u_z;
   if (k == 0 && bounds.base_slides) {

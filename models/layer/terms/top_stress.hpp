@@ -33,7 +33,8 @@ struct LidStress : Kernel {
     if (top_of(par) == Top::free_slip) {
       T = smooth_wall_traction(par, S((u * (slope_mid - slope) + w_foot) / (0.5 * h)), slope, p, H);
     } else {
-      const auto [U, stretch] = sticking(lid_speed, c, f);
+      const auto lid = sticking(lid_speed, c, f);
+      const double U = lid.speed, stretch = lid.stretch;
       const S u_z = (U - u) / (0.5 * h);
       const S w_z = slope * u_z - stretch;
       const S w_x = stretch * slope + U * ((g.slope(2, n) - g.slope(1, n)) / columns.dx());

@@ -16,4 +16,11 @@ S limited_shear(const S& tau, const S& share) {
   return tau / sqrt(S(sqrt(S(1.0 + squared * squared))));
 }
 
+/// Navier's slip on a base that stands still, u_b = l du/dz: the share u_b/u of the speed u at `distance` above the base, with one
+/// shear rate in between, for a slip length l >= 0 in the distance's unit.
+template <class Length, class Distance>
+auto slip_share(const Length& slip_length, const Distance& distance) {
+  return slip_length / (distance + slip_length);
+}
+
 }  // namespace talus::rheology
