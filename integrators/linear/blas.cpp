@@ -13,11 +13,6 @@ void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, i
 
 namespace talus::linear {
 
-bool blas_allows_threads() {
-  constexpr int sequential = 0;
-  return openblas_get_parallel == nullptr || openblas_get_parallel() != sequential;
-}
-
 void limit_blas_to_one_thread() {
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
 }

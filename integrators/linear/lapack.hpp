@@ -19,12 +19,6 @@ void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, 
              double* b, const int* ldb, int* info, std::size_t trans_length);
 void sgetrs_(const char* trans, const int* n, const int* nrhs, const float* a, const int* lda, const int* ipiv,
              float* b, const int* ldb, int* info, std::size_t trans_length);
-void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
-            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
-            const int* ldc, std::size_t transa_length, std::size_t transb_length);
-void sgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const float* alpha,
-            const float* a, const int* lda, const float* b, const int* ldb, const float* beta, float* c, const int* ldc,
-            std::size_t transa_length, std::size_t transb_length);
 }
 
 namespace talus::linear::lapack {
@@ -62,14 +56,6 @@ void solve_dense(int n, const Real* a, const int* pivots, Real* b) {
   int info = 0;
   if constexpr (sizeof(Real) == sizeof(float)) sgetrs_("N", &n, &one, a, &n, pivots, b, &n, &info, 1);
   else dgetrs_("N", &n, &one, a, &n, pivots, b, &n, &info, 1);
-}
-
-/// c = a b, of shapes (m, n), (m, k), (k, n), column major.
-template <class Real>
-void multiply(int m, int n, int k, const Real* a, const Real* b, Real* c) {
-  const Real one = 1, zero = 0;
-  if constexpr (sizeof(Real) == sizeof(float)) sgemm_("N", "N", &m, &n, &k, &one, a, &m, b, &k, &zero, c, &m, 1, 1);
-  else dgemm_("N", "N", &m, &n, &k, &one, a, &m, b, &k, &zero, c, &m, 1, 1);
 }
 
 }  // namespace talus::linear::lapack
