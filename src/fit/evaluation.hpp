@@ -47,8 +47,8 @@ class Model {
   [[nodiscard]] steady::Answer<Prediction> predict(const Eigen::VectorXd& x, double Q) const;
 
   /// Sets the standard deviation of each slope from those of slope and flow, at the dzeta/dQ that x gives; returns the
-  /// largest relative change.
-  double weigh(const Eigen::VectorXd& x);
+  /// largest relative change. None, with the reason and nothing set, where some flow has no steady state at x.
+  steady::Answer<double> weigh(const Eigen::VectorXd& x);
   [[nodiscard]] const std::vector<double>& slope_sigma() const { return slope_sigma_; }
 
  private:
