@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
+#include "app/fit_layer_data.hpp"
 #include "app/material.hpp"
-#include "app/measured_columns.hpp"
 #include "app/parameter_names.hpp"
 #include "app/scene.hpp"
 #include "app/table.hpp"
@@ -15,33 +14,10 @@
 namespace talus::app {
 namespace {
 
-using config::CsvColumn;
 using config::Problems;
 using config::Values;
 
-constexpr double any = 1e300, none = std::numeric_limits<double>::quiet_NaN();
-
-/// A number of run.nc that a series may be of, and its columns in a CSV file.
-struct Quantity {
-  std::string name, column, unit;
-};
-const std::vector<Quantity> quantities{{"mass_stored", "mass_kg", "kg"},
-                                       {"mass_outflow_left", "mass_kg", "kg"},
-                                       {"mass_outflow_right", "mass_kg", "kg"},
-                                       {"outflow_rate_left", "rate_kg_s", "kg/s"},
-                                       {"outflow_rate_right", "rate_kg_s", "kg/s"},
-                                       {"heap_angle", "angle_deg", "degree"}};
-
-std::vector<std::string> quantity_names() {
-  std::vector<std::string> names;
-  for (const auto& q : quantities) names.push_back(q.name);
-  return names;
-}
-
-/// "mass_error_kg" of "mass_kg".
-std::string error_column(const std::string& column) {
-  return column.substr(0, column.find('_')) + "_error" + column.substr(column.find('_'));
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 class Reader {
  public:
@@ -53,17 +29,12 @@ class Reader {
     const Scene scene = read_scene(layer.scene, layer.settings);
     layer.stage.evaluations = static_cast<int>(values_.integer("stage_2.evaluations"));
     layer.stage.step = values_.number("stage_2.step");
-    time_ = {"time_s", "s",  "since the start of the scene",       0.0, scene.end,
-             true,     true, "time.end of " + layer.scene.string()};
-    place_ = {"x_m", "m",  "down the base from its left end",      0.0, scene.box.length,
-              true,  true, "box.length of " + layer.scene.string()};
     for (const auto& u : out_.problem.unknowns) layer.keys.push_back(scene_key(u.parameter));
     const auto known = config::read(scene_schema(), layer.scene, layer.settings);
     for (const auto* table : own) read_unknown(*table, known, layer);
     check_material(known, layer);
-    for (const auto& table : values_.tables("shape")) read_shape(table, layer);
-    for (const auto& table : values_.tables("series")) read_series(table, layer);
-    if (layer.stage.data.empty())
+    read_layer_data(values_, folder_, layer.scene, scene, layer.stage, problems_);
+    if (values_.tables("shape").empty() && values_.tables("series").empty())
       problems_.add(values_.place("stage_2.scene"), "stage_2", "no data for it; expected [[shape]] or [[series]]");
     if (out_.problem.condition != fit::Condition::report)
       problems_.add(values_.place("fit.condition"), "fit.condition",
@@ -130,99 +101,10 @@ class Reader {
     });
   }
 
-  /// Times to be taken from a run file, found among those recorded.
-  std::vector<std::size_t> records_at(const Values& table, const char* key, const std::vector<double>& recorded) {
-    std::vector<std::size_t> out;
-    if (!table.has(key)) {
-      for (std::size_t i = 0; i < recorded.size(); ++i) out.push_back(i);
-      return out;
-    }
-    for (const double t : table.numbers(key)) {
-      const auto found =
-          std::ranges::find_if(recorded, [&](double each) { return std::abs(each - t) <= 1e-9 * std::max(1.0, t); });
-      if (found == recorded.end())
-        problems_.add(table.place(key), key, "nothing is recorded at " + shortest(t) + " s in the file");
-      else out.push_back(static_cast<std::size_t>(found - recorded.begin()));
-    }
-    return out;
-  }
-
-  /// Whether `error` and `times` stand where they should: with run files, and not with CSV.
-  bool keys_fit(const Values& table, const std::string& section, bool run_file, bool needs_times) {
-    const std::string error = section + ".error", times = section + ".times";
-    const std::size_t before = n_refused_;
-    const auto refuse = [&](const std::string& key, const std::string& what) {
-      problems_.add(table.place(table.has(key) ? key : section + ".file"), key, what);
-      ++n_refused_;
-    };
-    if (run_file && !table.has(error)) refuse(error, "missing; a run file states no errors of measurement");
-    if (run_file && needs_times && !table.has(times))
-      refuse(times, "missing; which of the times of the run file are meant [s]");
-    if (!run_file && table.has(error)) refuse(error, "is for run files; a CSV file has a column of its own");
-    if (!run_file && table.has(times)) refuse(times, "is for run files; of a CSV file all rows count");
-    return n_refused_ == before;
-  }
-
-  void read_shape(const Values& table, FitLayer& layer) {
-    const auto file = folder_ / table.text("shape.file");
-    const CsvColumn height{"height_m", "m", "H, of the grains above the base and normal to it, the film included",
-                           0.0,        any, true};
-    const auto add = [&](const std::string& row, double t, double x, double value, double error) {
-      layer.stage.data.push_back({table.text("shape.file") + " " + row, "height", "m", t, x, value, error});
-    };
-    const bool run_file = is_netcdf(file);
-    if (!keys_fit(table, "shape", run_file, true)) return;
-    if (!run_file) {
-      const auto rows =
-          config::read_csv(file, {time_, place_, height, {"height_error_m", "m", "its standard deviation", 0.0, any}});
-      need_rows(table, "shape.file", rows[0].size());
-      for (std::size_t i = 0; i < rows[0].size(); ++i)
-        add("row " + std::to_string(i + 1), rows[0][i], rows[1][i], rows[2][i], rows[3][i]);
-      return;
-    }
-    const auto run = open_netcdf(file);
-    const auto times = read_variable(run, file, "series_time", time_), x = read_variable(run, file, "x", place_);
-    const auto heights = read_variable(run, file, "height_series", height);
-    for (const std::size_t k : records_at(table, "shape.times", times.values))
-      for (std::size_t i = 0; i < x.values.size(); ++i)
-        add("column " + std::to_string(i + 1), times.values[k], x.values[i], heights.values[k * x.values.size() + i],
-            table.number("shape.error"));
-  }
-
-  void read_series(const Values& table, FitLayer& layer) {
-    const auto& quantity = *std::ranges::find(quantities, table.text("series.quantity"), &Quantity::name);
-    const auto file = folder_ / table.text("series.file");
-    const CsvColumn column{quantity.column, quantity.unit, quantity.name, -any, any};
-    const auto add = [&](std::size_t row, double t, double value, double error) {
-      layer.stage.data.push_back({table.text("series.file") + " row " + std::to_string(row + 1), quantity.name,
-                                  quantity.unit, t, none, value, error});
-    };
-    const bool run_file = is_netcdf(file);
-    if (!keys_fit(table, "series", run_file, false)) return;
-    if (!run_file) {
-      const auto rows = config::read_csv(
-          file, {time_, column, {error_column(column.name), column.unit, "its standard deviation", 0.0, any}});
-      need_rows(table, "series.file", rows[0].size());
-      for (std::size_t i = 0; i < rows[0].size(); ++i) add(i, rows[0][i], rows[1][i], rows[2][i]);
-      return;
-    }
-    const auto run = open_netcdf(file);
-    const auto times = read_variable(run, file, "series_time", time_),
-               values = read_variable(run, file, quantity.name, column);
-    for (const std::size_t k : records_at(table, "series.times", times.values))
-      add(k, times.values[k], values.values[k], table.number("series.error"));
-  }
-
-  void need_rows(const Values& table, const char* key, std::size_t n) {
-    if (n == 0) problems_.add(table.place(key), key, table.text(key) + ": expected at least 1 row of data, found 0");
-  }
-
   const Values& values_;
   std::filesystem::path folder_;
   FitFile& out_;
   Problems& problems_;
-  CsvColumn time_{}, place_{};
-  std::size_t n_refused_ = 0;
 };
 
 }  // namespace
@@ -250,7 +132,7 @@ void add_layer_keys(config::Schema& s) {
   s.add(text("file",
              "CSV with columns time_s and mass_kg, mass_error_kg or rate_kg_s, rate_error_kg_s or angle_deg, "
              "angle_error_deg; or a run.nc of Talus"));
-  s.add(choice("quantity", quantity_names(), "which number, as run.nc calls it"));
+  s.add(choice("quantity", series_quantities(), "which number, as run.nc calls it"));
   s.add(number("error", "", "standard deviation of a run.nc's numbers, in their unit")
             .above(0.0)
             .optional("CSV has a column"));

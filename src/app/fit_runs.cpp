@@ -30,6 +30,9 @@ class Silence : public sweep::RunnerWatch {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// What is wrong, after which member has it.
+std::string last_line(const std::string& text) { return text.substr(text.rfind('\n') + 1); }
+
 /// What says nothing of the parameters ends the fit: the same command goes on once it is mended.
 void end_if_not_of_the_scene(const sweep::MemberState& state) {
   for (const auto code : {ExitCode::io_setup, ExitCode::output_failed, ExitCode::memory, ExitCode::configuration})
@@ -95,7 +98,7 @@ std::vector<Answer> FitRuns::at(const std::vector<VectorXd>& points) {
     try {
       plan.scenes.push_back(member_scenes(sweep_of({points[i]}), layer_.scene).front());
       accepted.push_back(i), to_run.push_back(points[i]);
-    } catch (const core::ConfigError& error) { out[i] = Answer::none(std::string("refused: ") + error.what()); }
+    } catch (const core::ConfigError& error) { out[i] = Answer::none("refused: " + last_line(error.what())); }
   }
   const std::string number = std::to_string(++n_batches_);
   const std::string name = "batch_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;

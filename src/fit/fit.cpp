@@ -15,10 +15,11 @@ using core::Error;
 using core::ExitCode;
 using steady::Answer;
 
-/// A minimum, and the number of the start that led there.
+/// A minimum, the number of the start that led there, and the slopes of its flows.
 struct Candidate {
   std::size_t start;
   LocalMinimum minimum;
+  Model::Guesses guesses;
 };
 
 std::vector<bool> none_held(const Model& model) { return std::vector<bool>(model.variables().size(), false); }
@@ -80,9 +81,12 @@ std::vector<Candidate> descend_from(Model& model, const std::vector<Eigen::Vecto
       continue;
     }
     starts.push_back({point, found->x, 2.0 * found->cost, found->converged, ""});
-    if (!found->converged) starts.back().failure = "did not converge";
-    else if (!found->well_posed) starts.back().failure = "not well-posed";
-    else out.push_back({starts.size() - 1, *found});
+    auto& start = starts.back();
+    const auto at = model.at(found->x);
+    if (!found->converged) start.failure = "did not converge";
+    else if (!found->well_posed) start.failure = "not well-posed";
+    else if (!at) start.converged = false, start.failure = at.reason();
+    else out.push_back({starts.size() - 1, *found, model.guesses()});
   }
   std::ranges::stable_sort(out, {}, [](const Candidate& c) { return c.minimum.cost; });
   return out;
@@ -116,6 +120,7 @@ Answer<Fit> fit(const Problem& problem) {
   std::vector<Start> starts;
   for (const auto& candidate : descend_from(model, drawn.points, starts)) {
     try {
+      model.guess(candidate.guesses);
       Fit out = report(model, weighed(model, candidate.minimum));
       out.starts = std::move(starts);
       out.infeasible_draws = drawn.infeasible;

@@ -10,7 +10,7 @@ namespace talus::fit {
 /// failed.
 [[nodiscard]] steady::Answer<Fit> fit(const Problem& problem);
 
-/// The same, and from there on with the layer's data in one sum with the others, by runs of its scene. None also where its run
+/// The same, and from there on with the layer's data in one sum with the others, by runs of its scene. None also where its first run
 /// at the first stage's answer fails. Throws what `runs` throws.
 [[nodiscard]] steady::Answer<Fit> fit(const Problem& problem, const LayerStage& stage, LayerRuns& runs);
 

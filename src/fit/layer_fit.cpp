@@ -81,7 +81,7 @@ Answer<Fit> fit(const Problem& problem, const LayerStage& stage, LayerRuns& runs
                                  : "the values that the layer starts from have no steady state: " +
                                        model.at(start.head(static_cast<Index>(model.variables().size()))).reason());
   if (begin->model.size() == 0)
-    return Answer<Fit>::none("the layer's run where the first stage ended failed: " + joint.failures().front());
+    return Answer<Fit>::none("the first run of the layer failed: " + joint.failures().front());
   const auto minimum = descend(joint, problem, start);
   const auto* best = joint.at(minimum.x);
   const double noise = joint.noise(*best);

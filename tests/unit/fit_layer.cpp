@@ -138,7 +138,7 @@ TEST(FitLayer, AFirstRunThatFailsIsAnAnswer) {
   runs.fails = [](const VectorXd&) { return true; };
   const auto answer = fit::fit(problem_of(0), stage, runs);
   ASSERT_FALSE(answer);
-  EXPECT_NE(answer.reason().find("where the first stage ended failed"), std::string::npos) << answer.reason();
+  EXPECT_NE(answer.reason().find("the first run of the layer failed"), std::string::npos) << answer.reason();
 }
 
 TEST(FitLayer, RunsAllowedAreNotExceeded) {
