@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "support/fit_problems.hpp"
@@ -26,7 +28,6 @@ class StandIn : public fit::LayerRuns {
     std::vector<Answer> out;
     for (const auto& point : points) {
       ++n_runs;
-      largest_b = std::max(largest_b, point[point.size() - 1]);
       if (fails(point)) {
         out.push_back(Answer::none("IDA_CONV_FAIL"));
         continue;
@@ -48,7 +49,7 @@ class StandIn : public fit::LayerRuns {
   }
 
   int n_runs = 0;
-  double largest_b = 0.0, noise = 0.0;
+  double noise = 0.0;
   std::function<bool(const VectorXd&)> fails = [](const VectorXd&) { return false; };
   std::vector<double> told_chi2;
 
@@ -121,15 +122,26 @@ TEST(FitLayer, NoisyDataGiveThemWithinTwoStandardDeviations) {
 }
 
 TEST(FitLayer, ARunThatFailsIsAStepNotTakenAndIsSaid) {
-  const auto stage = stage_of(0);
+  auto stage = stage_of(0);
+  stage.unknowns[0].start = 12.0;
   StandIn runs(stage);
-  runs.fails = [](const VectorXd& point) { return point[1] > 5.02; };  // Newton's first step from 3 goes beyond
+  runs.fails = [](const VectorXd& point) { return point[1] < 4.5; };  // Newton's first step from 12 goes beyond
   const auto found = fit::fit(problem_of(0), stage, runs).value();
-  EXPECT_GT(runs.largest_b, 5.02);
+  EXPECT_TRUE(std::ranges::any_of(runs.told_chi2, [](double chi2) { return std::isinf(chi2); }));
   EXPECT_NEAR(found.x[1], b, 0.02);
   ASSERT_FALSE(found.layer->failures.empty());
   EXPECT_NE(found.layer->failures.front().find("scene.b = "), std::string::npos) << found.layer->failures.front();
   EXPECT_NE(found.layer->failures.front().find("IDA_CONV_FAIL"), std::string::npos);
+}
+
+TEST(FitLayer, ADifferenceThatFailsIsTakenOnTheOtherSide) {
+  const auto stage = stage_of(0);
+  StandIn runs(stage);
+  runs.fails = [](const VectorXd& point) { return point[1] > 5.02; };  // 2 % above the truth
+  const auto found = fit::fit(problem_of(0), stage, runs).value();
+  EXPECT_FALSE(found.layer->failures.empty());
+  EXPECT_NEAR(found.x[1], b, 0.02);
+  EXPECT_TRUE(found.estimates[1].error) << found.estimates[1].why_no_error;
 }
 
 TEST(FitLayer, AFirstRunThatFailsIsAnAnswer) {
