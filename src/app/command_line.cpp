@@ -158,7 +158,7 @@ int act(int argc, const char* const* argv) {
   explain_command->add_option(
       "section", section,
       "one section only, for example grid; sweep, axis and sample are a sweep file's, fit, unknown, "
-      "slopes and profile a fit file's; presets tells those of run");
+      "slopes, profile, stage_2, shape and series a fit file's; presets tells those of run");
   explain_command->callback([&] { print(explanation(section)); });
 
   add_steady_command(program, request.command);

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/fit_layer_file.hpp"
 #include "app/material.hpp"
+#include "app/measured_columns.hpp"
 #include "app/table.hpp"
 #include "config/name.hpp"
 #include "config/number_csv.hpp"
 #include "config/problems.hpp"
 #include "config/read.hpp"
+#include "config/spelling.hpp"
 
 namespace talus::app {
 namespace {
@@ -19,14 +22,16 @@ using config::Values;
 
 constexpr double degree = std::numbers::pi / 180.0, any = 1e300;
 
-std::vector<std::string> parameter_words() { return {steady::parameter_names.begin(), steady::parameter_names.end()}; }
+const std::vector<std::string> parameter_words{steady::parameter_names.begin(), steady::parameter_names.end()};
+/// Of a profile in a netCDF file: keys that name its variables.
+const std::vector<const char*> variable_keys{"profile.depth", "profile.speed", "profile.speed_error"};
 
 /// Rows of a data file named by `key`, at least `least` of them.
 std::vector<std::vector<double>> rows_of(const Values& table, const char* key, const std::filesystem::path& folder,
                                          const std::vector<config::CsvColumn>& columns, std::size_t least,
-                                         Problems& problems) {
+                                         Problems& problems, const std::vector<std::string>& variables = {}) {
   const auto path = folder / table.text(key);
-  auto read = config::read_csv(path, columns);
+  auto read = variables.empty() ? config::read_csv(path, columns) : read_columns(path, columns, variables);
   if (read[0].size() < least)
     problems.add(table.place(key), key,
                  path.string() + ": expected at least " + std::to_string(least) + " rows of data, found " +
@@ -58,7 +63,14 @@ void read_profile(const Values& table, const std::filesystem::path& folder, cons
   if (table.has("profile.flow") == table.has("profile.slope"))
     problems.add(table.place("profile.file"), "profile.flow",
                  "expected one of profile.flow [kg/s] and profile.slope [degree]");
-  const auto read = rows_of(table, "profile.file", folder, columns, 3, problems);
+  std::vector<std::string> variables;
+  for (const char* key : variable_keys) {
+    const bool given = table.has(key);
+    variables.push_back(given ? table.text(key) : std::string(key).substr(std::string("profile.").size()));
+    if (given && !is_netcdf(table.text("profile.file")))
+      problems.add(table.place(key), key, "is for netCDF files (.nc); the columns of a CSV file have fixed names");
+  }
+  const auto read = rows_of(table, "profile.file", folder, columns, 3, problems, variables);
   fit::SpeedProfile profile{table.text("profile.file"),          {}, {}, read[0], read[1], read[2],
                             table.number("profile.offset_limit")};
   if (table.has("profile.flow")) profile.Q = table.number("profile.flow");
@@ -68,9 +80,17 @@ void read_profile(const Values& table, const std::filesystem::path& folder, cons
   if (!held) out.problem.profiles.push_back(std::move(profile));
 }
 
+std::string expected_parameter(const std::string& name) {
+  std::string words;
+  for (const auto& word : parameter_words) words += (words.empty() ? "" : ", ") + word;
+  const auto guess = config::nearest(name, parameter_words);
+  return "expected one of " + words + ", or a key of the scene of [stage_2]" +
+         (guess ? " (did you mean " + *guess + "?)" : "") + ", found \"" + name + "\"";
+}
+
 void read_unknown(const Values& table, const steady::Channel& channel, FitFile& out, Problems& problems) {
-  const auto at = static_cast<int>(std::ranges::find(steady::parameter_names, table.text("unknown.parameter")) -
-                                   steady::parameter_names.begin());
+  const auto at =
+      static_cast<int>(std::ranges::find(parameter_words, table.text("unknown.parameter")) - parameter_words.begin());
   const auto parameter = steady::Parameter{at};
   const std::string name(steady::parameter_names[static_cast<std::size_t>(at)]);
   const std::string unit(steady::parameter_units[static_cast<std::size_t>(at)]);
@@ -90,11 +110,7 @@ void read_unknown(const Values& table, const steady::Channel& channel, FitFile& 
     refuse(table.has("unknown.start") ? "unknown.start" : "unknown.low",
            name + ": the start " + shortest(unknown.start) + (table.has("unknown.start") ? "" : ", the material's,") +
                " is not between " + shortest(unknown.low) + " and " + shortest(unknown.high) + " [" + unit + "]");
-  if (table.has("unknown.prior") != table.has("unknown.prior_error"))
-    refuse(table.has("unknown.prior") ? "unknown.prior" : "unknown.prior_error",
-           name + ": expected unknown.prior and unknown.prior_error together [" + unit + "]");
-  else if (table.has("unknown.prior"))
-    unknown.prior = {table.number("unknown.prior"), table.number("unknown.prior_error")};
+  if (table.has("unknown.prior")) unknown.prior = {table.number("unknown.prior"), table.number("unknown.prior_error")};
   out.problem.unknowns.push_back(unknown);
 }
 
@@ -130,21 +146,31 @@ const config::Schema& fit_schema() {
               .above(0.0)
               .fallback(std::vector<double>{}));
     s.repeated_section("unknown", "a parameter to be found");
-    s.add(choice("parameter", parameter_words(), "which one; units: m for W and d, kg/m3 for rho_star, else 1"));
+    s.add(
+        text("parameter",
+             "one of mu_s, mu_d, mu_inf, I_0, alpha, mu_w, W [m], d [m], Phi, rho_star [kg/m3]; with [stage_2] also a "
+             "number of its scene by its key, as box.base_friction, in its unit"));
     s.add(number("low", "", "least value, in the parameter's unit").above(0.0));
     s.add(number("high", "", "largest value").above(0.0));
-    s.add(number("start", "", "where the search begins").above(0.0).optional("the material's value"));
+    s.add(number("start", "", "where the search begins")
+              .above(0.0)
+              .optional("the value of the material, or of the scene"));
     s.add(number("prior", "", "value known before").optional("none"));
     s.add(number("prior_error", "", "its standard deviation").above(0.0).optional("none"));
     s.repeated_section("slopes", "slopes of steady faces against mass flow");
     s.add(text("file", "CSV with columns Q_kg_s, Q_error_kg_s, zeta_deg, zeta_error_deg"));
     s.repeated_section("profile", "speeds along the normal to a steady face");
-    s.add(text("file", "CSV with columns depth_m, speed_m_s, speed_error_m_s"));
+    s.add(
+        text("file", "CSV with columns depth_m, speed_m_s, speed_error_m_s; or netCDF (.nc) with the variables below"));
+    s.add(text("depth", "netCDF variable, units m").optional("depth"));
+    s.add(text("speed", "netCDF variable, units m/s").optional("speed"));
+    s.add(text("speed_error", "netCDF variable, units m/s").optional("speed_error"));
     s.add(number("flow", "kg/s", "mass flow under that face").above(0.0).optional("profile.slope instead"));
     s.add(number("slope", "degree", "its slope").above(0.0).below(90.0).optional("profile.flow instead"));
     s.add(number("offset_limit", "m", "how far the surface may lie above or below depth_m = 0; 0: exactly there")
               .at_least(0.0)
               .fallback(0.0));
+    add_layer_keys(s);
     return s;
   }();
   return schema;
@@ -176,11 +202,22 @@ FitFile read_fit(const std::filesystem::path& file, const std::vector<std::strin
   if (channel.mu_w == 0.0)
     problems.add(v.place("fit.material"), "wall.mu_w",
                  "expected above 0: without side walls a heap has no steady flow of its own slope");
-  for (const auto& table : v.tables("unknown")) read_unknown(table, channel, out, problems);
+  std::vector<const Values*> of_scene;
+  for (const auto& table : v.tables("unknown")) {
+    const auto& name = table.text("unknown.parameter");
+    if (table.has("unknown.prior") != table.has("unknown.prior_error"))
+      problems.add(table.place(table.has("unknown.prior") ? "unknown.prior" : "unknown.prior_error"), "unknown.prior",
+                   name + ": expected unknown.prior and unknown.prior_error together");
+    else if (std::ranges::find(parameter_words, name) != parameter_words.end())
+      read_unknown(table, channel, out, problems);
+    else if (name.find('.') != std::string::npos) of_scene.push_back(&table);
+    else problems.add(table.place("unknown.parameter"), "unknown.parameter", expected_parameter(name));
+  }
   if (v.tables("unknown").empty()) problems.add(v.place(""), "unknown", "missing; expected [[unknown]], at least one");
   for (const auto& table : v.tables("slopes")) read_slopes(table, folder, problem.predict, out, problems);
   for (const auto& table : v.tables("profile")) read_profile(table, folder, problem.predict, out, problems);
-  if (problem.slopes.empty() && problem.profiles.empty())
+  read_layer(v, folder, of_scene, out, problems);
+  if (problem.slopes.empty() && problem.profiles.empty() && !out.layer)
     problems.add(v.place(""), "slopes",
                  "no data to fit; expected [[slopes]] or [[profile]] with flows that are not held back");
   problems.throw_if_any();

@@ -34,8 +34,8 @@ bool is_empty(const Table& table) {
   return std::visit([](const auto& values) { return values.empty(); }, table.front().values);
 }
 
-std::string count(std::size_t n, const std::string& thing) {
-  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+std::string count(std::size_t n, const std::string& thing, const std::string& things = "") {
+  return std::to_string(n) + " " + (n == 1 ? thing : things.empty() ? thing + "s" : things);
 }
 
 /// Sections that only a picture needs, or a reader of the file.
@@ -52,6 +52,25 @@ std::string verdict(const fit::Fit& fit) {
   return out + "\n";
 }
 
+/// What the second stage did, but for its numbers.
+std::string layer_text(const fit::LayerFindings& layer) {
+  std::string out =
+      "stage 2: " + count(layer.stage.data.size(), "datum of the layer", "data of the layer") + ", " +
+      count(static_cast<std::size_t>(layer.n_runs), "run") + " of its scene, chi2 " + rounded(layer.chi2_before) +
+      " where stage 1 ended" +
+      (layer.converged ? "\n" : "; NOT CONVERGED: the runs allowed by stage_2.evaluations were used up\n");
+  out += "two runs at nearly equal parameters differ by " + rounded(layer.noise) +
+         " standard deviations a datum (root mean square); what moves the data by less than three times that counts as "
+         "unseen\n";
+  if (!layer.failures.empty()) {
+    out += count(layer.failures.size(), "run") + " failed, and counted as far from the data:\n";
+    for (const auto& failure : layer.failures) out += "  " + failure + "\n";
+  }
+  std::string names;
+  for (const auto& name : layer.seen_by_layer_only) names += (names.empty() ? "" : ", ") + name;
+  return out + "fixed by the layer's data, not by the steady flow: " + (names.empty() ? "none" : names) + "\n";
+}
+
 }  // namespace
 
 std::string fit_text(const FitFile& file, const steady::Answer<fit::Fit>& answer) {
@@ -63,6 +82,7 @@ std::string fit_text(const FitFile& file, const steady::Answer<fit::Fit>& answer
                     count(problem.profiles.size(), "profile") + "\n";
   if (!answer) return out + "\nNo fit: " + answer.reason() + "\n";
   out += verdict(*answer);
+  if (answer->layer) out += layer_text(*answer->layer);
   if (answer->infeasible_draws > 0)
     out += count(static_cast<std::size_t>(answer->infeasible_draws), "parameter set") +
            " drawn between the bounds had no steady state at some flow measured\n";
@@ -92,6 +112,12 @@ nlohmann::ordered_json fit_json(const FitFile& file, const steady::Answer<fit::F
   out["freedom"] = answer->freedom;
   out["chance_of_more"] = json_of(answer->chance);
   out["infeasible_draws"] = answer->infeasible_draws;
+  if (answer->layer) {
+    const auto& layer = *answer->layer;
+    out["stage_2"] = {{"runs", layer.n_runs},          {"failures", layer.failures},
+                      {"converged", layer.converged},  {"chi2_before", json_of(layer.chi2_before)},
+                      {"noise", json_of(layer.noise)}, {"seen_by_layer_only", layer.seen_by_layer_only}};
+  }
   auto covariance = nlohmann::ordered_json::array();
   for (Eigen::Index i = 0; i < answer->x.size(); ++i) {
     auto row = nlohmann::ordered_json::array();
@@ -119,6 +145,12 @@ void write_fit_file(const std::filesystem::path& path, const FitFile& file, cons
   table.attributes["chi2"] = fit.chi2;
   table.attributes["degrees_of_freedom"] = fit.freedom;
   table.attributes["chance_of_more"] = fit.chance;
+  if (fit.layer) {
+    table.attributes["stage_2_runs"] = fit.layer->n_runs;
+    table.attributes["stage_2_failed_runs"] = static_cast<int>(fit.layer->failures.size());
+    table.attributes["stage_2_converged"] = fit.layer->converged ? "yes" : "no";
+    table.attributes["stage_2_noise"] = fit.layer->noise;
+  }
   for (const auto& section : fit_sections(file, fit)) {
     if (is_empty(section.table)) continue;
     const auto rows = std::visit([](const auto& values) { return values.size(); }, section.table.front().values);

@@ -20,6 +20,11 @@ struct FitSection {
 /// All that a fit tells, once: text, JSON and netCDF are forms of it.
 [[nodiscard]] std::vector<FitSection> fit_sections(const FitFile& file, const fit::Fit& fit);
 
+/// Slope against flow of the best model, for pictures: over the flows measured and a third beyond.
+[[nodiscard]] FitSection slope_curve(const FitFile& file, const fit::Fit& fit);
+/// Speeds of the best model in each profile, for pictures, from its surface to where the deepest datum lies.
+[[nodiscard]] FitSection speed_curves(const FitFile& file, const fit::Fit& fit);
+
 /// For people; `fit` may be the reason why there is none.
 [[nodiscard]] std::string fit_text(const FitFile& file, const steady::Answer<fit::Fit>& fit);
 [[nodiscard]] nlohmann::ordered_json fit_json(const FitFile& file, const steady::Answer<fit::Fit>& fit);

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "app/fit_report.hpp"
-#include "steady/slope.hpp"
 
 namespace talus::app {
 namespace {
@@ -91,11 +90,13 @@ FitSection directions(const fit::Fit& fit) {
 
 FitSection data(const FitFile& file, const fit::Fit& fit) {
   Words place, kind, note;
-  Numbers flow, depth, measured, error, model, residual;
+  Numbers flow, depth, time, x, measured, error, model, residual;
   Eigen::Index row = 0;
-  const auto add = [&](const std::string& where, const char* what, double Q, double h, double value, double sigma) {
+  const auto add = [&](const std::string& where, const std::string& what, double Q, double h, double value,
+                       double sigma, double t = none, double down = none) {
     const double r = fit.residuals[row++];
-    place.push_back(where), kind.push_back(what), flow.push_back(Q), depth.push_back(h);
+    place.push_back(where), kind.push_back(what), flow.push_back(Q), depth.push_back(h), time.push_back(t);
+    x.push_back(down);
     measured.push_back(value), error.push_back(sigma), model.push_back(value + r * sigma), residual.push_back(-r);
     note.push_back(std::abs(r) >= outlier ? "outlier" : "");
   };
@@ -106,12 +107,17 @@ FitSection data(const FitFile& file, const fit::Fit& fit) {
   for (const auto& profile : file.problem.profiles)
     for (std::size_t i = 0; i < profile.depth.size(); ++i)
       add(profile.name, "speed [m/s]", number(profile.Q), profile.depth[i], profile.speed[i], profile.error[i]);
+  if (fit.layer)
+    for (const auto& d : fit.layer->stage.data)
+      add(d.place, d.kind + " [" + d.unit + "]", none, none, d.value, d.error, d.time, d.x);
   return {"data",
           "Data",
           {{"place", "", "file, and row", place},
            {"kind", "", "what was measured, and its unit", kind},
            {"Q_kg_s", "kg s-1", "mass flow", flow},
            {"depth_m", "m", "below what was taken for the surface", depth},
+           {"time_s", "s", "since the start of the layer's scene", time},
+           {"x_m", "m", "down the base", x},
            {"measured", "", "measured value", measured},
            {"error", "", "its standard deviation, that of the flow in it", error},
            {"model", "", "best model", model},
@@ -163,11 +169,40 @@ FitSection margins(const fit::Fit& fit) {
 
 FitSection starts(const fit::Fit& fit) {
   Numbers chi2;
-  Words converged;
-  for (const auto& s : fit.starts) chi2.push_back(s.chi2), converged.push_back(s.converged ? "yes" : "no");
+  Words converged, note;
+  for (const auto& s : fit.starts) {
+    chi2.push_back(s.chi2), converged.push_back(s.converged ? "yes" : "no");
+    note.push_back(s.failure);
+  }
   return {"start",
           "Starts",
-          {{"chi2", "1", "reached from each start, with the loss", chi2}, {"converged", "", "", converged}}};
+          {{"chi2", "1", "reached from each start, with the loss", chi2},
+           {"converged", "", "", converged},
+           {"note", "", "why it failed", note}}};
+}
+
+/// What the layer's data change against the steady flow's alone.
+FitSection stages(const fit::Fit& fit) {
+  Words name, note;
+  Numbers before, before_error, value, error;
+  if (fit.layer)
+    for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+      const auto& e = fit.estimates[i];
+      const auto* first = i < fit.layer->before.size() ? &fit.layer->before[i] : nullptr;
+      name.push_back(e.variable.name), value.push_back(e.value), error.push_back(number(e.error));
+      before.push_back(first ? first->value : none), before_error.push_back(first ? number(first->error) : none);
+      const bool is_new =
+          std::ranges::find(fit.layer->seen_by_layer_only, e.variable.name) != fit.layer->seen_by_layer_only.end();
+      note.push_back(is_new ? "fixed by the layer's data only" : e.error ? "" : e.why_no_error);
+    }
+  return {"stage",
+          "Stage 1, by the steady flow alone, and stage 2, by all data",
+          {{"name", "", "parameter", name},
+           {"before", "", "best value by stage 1; none where it does not know the parameter", before},
+           {"before_error", "", "its standard deviation", before_error},
+           {"value", "", "best value by both", value},
+           {"error", "", "its standard deviation", error},
+           {"note", "", "which data fix it", note}}};
 }
 
 FitSection likelihoods(const fit::Fit& fit) {
@@ -183,54 +218,12 @@ FitSection likelihoods(const fit::Fit& fit) {
            {"rise", "1", "of chi2 over its minimum, all others free", rise}}};
 }
 
-/// Slope against flow of the best model, for pictures: over the flows measured and a third beyond.
-FitSection curve(const FitFile& file, const fit::Fit& fit) {
-  Numbers all;
-  for (const auto* points : {&file.problem.slopes, &file.held_back})
-    for (const auto& point : *points) all.push_back(point.Q);
-  for (const auto& profile : file.problem.profiles)
-    if (profile.Q) all.push_back(*profile.Q);
-  Numbers flow, zeta;
-  if (!all.empty()) {
-    const auto [least, most] = std::ranges::minmax(all);
-    for (int i = 0; i <= 60; ++i) {
-      const double Q = least * 0.75 * std::pow(most / least / 0.75 * 1.25, i / 60.0);
-      const auto slope = steady::slope_of_flux(fit.best.channel, Q);
-      if (slope) flow.push_back(Q), zeta.push_back(*slope / degree);
-    }
-  }
-  return {"curve",
-          "Slope against flow",
-          {{"Q_kg_s", "kg s-1", "mass flow", flow}, {"zeta_deg", "degree", "slope of the best model", zeta}}};
-}
-
-/// Speeds of the best model in each profile, for pictures, from its surface to where the deepest datum lies.
-FitSection profile_curves(const FitFile& file, const fit::Fit& fit) {
-  Words place;
-  Numbers depth, speed;
-  std::size_t variable = file.problem.unknowns.size();
-  for (const auto& profile : file.problem.profiles) {
-    const double offset = profile.offset_limit > 0.0 ? fit.x[static_cast<Eigen::Index>(variable++)] : 0.0;
-    const auto flow = profile.Q ? steady::flow_of_flux(fit.best.channel, *profile.Q)
-                                : steady::UniformFlow::at(fit.best.channel, *profile.zeta);
-    const double end = 1.1 * (std::ranges::max(profile.depth) + offset);
-    for (int i = 0; i <= 60; ++i) {
-      const double h = end * i / 60.0;
-      place.push_back(profile.name), depth.push_back(h - offset), speed.push_back(flow->speed(-h));
-    }
-  }
-  return {"profile_curve",
-          "Speed against depth",
-          {{"place", "", "profile", place},
-           {"depth_m", "m", "below what was taken for the surface", depth},
-           {"speed_m_s", "m s-1", "speed of the best model", speed}}};
-}
-
 }  // namespace
 
 std::vector<FitSection> fit_sections(const FitFile& file, const fit::Fit& fit) {
-  return {unknowns(fit), lumps(fit),  directions(fit),  data(file, fit),  predictions(file, fit),
-          margins(fit),  starts(fit), likelihoods(fit), curve(file, fit), profile_curves(file, fit)};
+  return {unknowns(fit),          stages(fit),  lumps(fit),  directions(fit),  data(file, fit),
+          predictions(file, fit), margins(fit), starts(fit), likelihoods(fit), slope_curve(file, fit),
+          speed_curves(file, fit)};
 }
 
 }  // namespace talus::app

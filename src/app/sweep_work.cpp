@@ -8,7 +8,6 @@
 #include "core/errors.hpp"
 #include "output/atomic_file.hpp"
 #include "output/text_file.hpp"
-#include "sweep/runner.hpp"
 
 namespace talus::app {
 namespace {
@@ -72,6 +71,11 @@ ExitCode report(const Manifest& manifest, const SweepFolder& folder, std::size_t
   return n_left > 0 || n_failed > 0 ? ExitCode::restartable : ExitCode::ok;
 }
 
+/// 0: one on each core.
+int jobs_of(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 }  // namespace
 
 std::string own_path() { return std::filesystem::canonical("/proc/self/exe").string(); }
@@ -88,11 +92,14 @@ SweepWork::SweepWork(const SweepPlan& plan, const std::string& source, const std
 ExitCode SweepWork::run(int jobs, int attempts) {
   const auto n_before = static_cast<std::size_t>(std::ranges::count_if(
       manifest_.members, [](const auto& state) { return sweep::next_action(state) == sweep::Action::skip; }));
-  if (jobs <= 0) jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   SweepProgress progress(manifest_.design, n_before, stderr);
-  const int signal = run_members(manifest_, folder_, scenes_, {jobs, own_path(), attempts}, progress);
+  const int signal = run_members(manifest_, folder_, scenes_, {jobs_of(jobs), own_path(), attempts}, progress);
   progress.finish();
   return report(manifest_, folder_, n_before, signal != 0);
+}
+
+int SweepWork::run_once(int jobs, sweep::RunnerWatch& watch) {
+  return run_members(manifest_, folder_, scenes_, {jobs_of(jobs), own_path(), 1, false}, watch);
 }
 
 }  // namespace talus::app

@@ -8,6 +8,7 @@
 #include "core/errors.hpp"
 #include "output/folder_lock.hpp"
 #include "sweep/manifest.hpp"
+#include "sweep/runner.hpp"
 #include "sweep/sweep_folder.hpp"
 
 namespace talus::app {
@@ -28,6 +29,9 @@ class SweepWork {
   /// where all are finished, members_failed, or restartable after SIGINT, SIGTERM or SIGHUP: the same command goes on.
   /// `attempts`: of a member that fails.
   core::ExitCode run(int jobs, int attempts = 2);
+  /// The same with nothing printed, but told to `watch`; each member is tried once, those that failed before are left so.
+  /// Returns the signal that stopped it, or 0.
+  int run_once(int jobs, sweep::RunnerWatch& watch);
 
  private:
   std::vector<std::string> scenes_;

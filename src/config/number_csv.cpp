@@ -29,15 +29,6 @@ std::optional<double> number(const std::string& text) {
   return value;
 }
 
-std::string range_of(const CsvColumn& column) {
-  std::ostringstream out;
-  out << "a number";
-  if (column.above > -1e300) out << (column.or_equal ? " at least " : " above ") << column.above;
-  if (column.below < 1e300) out << " and below " << column.below;
-  out << " [" << column.unit << "]";
-  return out.str();
-}
-
 /// Which column stands where in the file.
 std::vector<std::size_t> places_of(const std::vector<std::string>& header, const std::vector<CsvColumn>& columns,
                                    const std::string& place, Problems& problems) {
@@ -48,7 +39,7 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& header, const
     const auto at = std::find(header.begin(), header.end(), column.name);
     places.push_back(static_cast<std::size_t>(at - header.begin()));
     if (at == header.end())
-      problems.add(place, column.name, "missing column; expected " + range_of(column) + ": " + column.doc);
+      problems.add(place, column.name, "missing column; expected " + column.expectation() + ": " + column.doc);
     else if (std::find(at + 1, header.end(), column.name) != header.end())
       problems.add(place, column.name, "stands in the header twice");
   }
@@ -61,6 +52,20 @@ std::vector<std::size_t> places_of(const std::vector<std::string>& header, const
 }
 
 }  // namespace
+
+bool CsvColumn::accepts(double value) const {
+  return (value > above || (or_equal && value == above)) && (value < below || (up_to && value == below));
+}
+
+std::string CsvColumn::expectation() const {
+  std::ostringstream out;
+  out << "a number";
+  if (above > -1e300) out << (or_equal ? " at least " : " above ") << above;
+  if (below < 1e300) out << (above > -1e300 ? " and" : "") << (up_to ? " at most " : " below ") << below;
+  out << " [" << unit << "]";
+  if (!why.empty()) out << " (" << why << ")";
+  return out.str();
+}
 
 std::vector<std::vector<double>> read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& columns) {
   Problems problems;
@@ -88,9 +93,8 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file, con
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const auto& cell = cells[places[i]];
       const auto value = number(cell);
-      const bool enough = value && (*value > columns[i].above || (columns[i].or_equal && *value == columns[i].above));
-      if (enough && *value < columns[i].below) values[i].push_back(*value);
-      else problems.add(place, columns[i].name, "expected " + range_of(columns[i]) + ", found '" + cell + "'");
+      if (value && columns[i].accepts(*value)) values[i].push_back(*value);
+      else problems.add(place, columns[i].name, "expected " + columns[i].expectation() + ", found '" + cell + "'");
     }
   }
   if (problems.none() && header.empty()) problems.add(file.string(), "", "has no header");

@@ -12,6 +12,12 @@ struct CsvColumn {
   std::string name, unit, doc;
   double above, below;    ///< numbers lie strictly between
   bool or_equal = false;  ///< `above` itself is allowed, too
+  bool up_to = false;     ///< and `below`
+  std::string why{};      ///< of the range, in words, for messages
+
+  [[nodiscard]] bool accepts(double value) const;
+  /// "a number above 0 and below 90 [degree]".
+  [[nodiscard]] std::string expectation() const;
 };
 
 /// Rows of numbers under a header that names exactly these columns, in any order; empty lines and those that start with

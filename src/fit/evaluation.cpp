@@ -129,6 +129,8 @@ Answer<Evaluation> Model::at(const Eigen::VectorXd& x) const {
     return Answer<Evaluation>::none(error.what());
   } catch (const core::Error& error) {  // within rounding of the law's steepest slope
     return Answer<Evaluation>::none(error.what());
+  } catch (const std::domain_error& error) {  // of a search for a root
+    return Answer<Evaluation>::none(error.what());
   }
   for (std::size_t i = 0; i < problem_.unknowns.size(); ++i) {
     const auto& prior = problem_.unknowns[i].prior;
@@ -150,17 +152,22 @@ Answer<Model::Prediction> Model::predict(const Eigen::VectorXd& x, double Q) con
                     by_variables(state->total(tan_zeta(state->flow)), to_angle(state->flow)), by_variables(speed, 1.0)};
 }
 
-double Model::weigh(const Eigen::VectorXd& x) {
-  const auto varied = channel(x);
+Answer<double> Model::weigh(const Eigen::VectorXd& x) {
+  auto sigma = slope_sigma_;
   double change = 0.0;
-  for (std::size_t i = 0; i < problem_.slopes.size(); ++i) {
-    const auto& point = problem_.slopes[i];
-    const auto state = state_of(varied, point.Q, {}, tangents_[i]).value();
-    const double by_flux = to_angle(state.flow) / state.flux->by_slope;
-    const double sigma = std::hypot(point.zeta_error, by_flux * point.Q_error);
-    change = std::max(change, std::abs(sigma / slope_sigma_[i] - 1.0));
-    slope_sigma_[i] = sigma;
+  try {
+    const auto varied = channel(x);
+    for (std::size_t i = 0; i < problem_.slopes.size(); ++i) {
+      const auto& point = problem_.slopes[i];
+      const auto state = state_of(varied, point.Q, {}, tangents_[i]);
+      if (!state) return Answer<double>::none(point.place + ": " + state.reason());
+      sigma[i] = std::hypot(point.zeta_error, to_angle(state->flow) / state->flux->by_slope * point.Q_error);
+      change = std::max(change, std::abs(sigma[i] / slope_sigma_[i] - 1.0));
+    }
+  } catch (const core::Error& error) {  // within rounding of the law's steepest slope
+    return Answer<double>::none(error.what());
   }
+  slope_sigma_ = std::move(sigma);
   return change;
 }
 

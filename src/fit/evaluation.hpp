@@ -47,9 +47,14 @@ class Model {
   [[nodiscard]] steady::Answer<Prediction> predict(const Eigen::VectorXd& x, double Q) const;
 
   /// Sets the standard deviation of each slope from those of slope and flow, at the dzeta/dQ that x gives; returns the
-  /// largest relative change.
-  double weigh(const Eigen::VectorXd& x);
+  /// largest relative change. None, with the reason and nothing set, where some flow has no steady state at x.
+  steady::Answer<double> weigh(const Eigen::VectorXd& x);
   [[nodiscard]] const std::vector<double>& slope_sigma() const { return slope_sigma_; }
+
+  /// Slopes from which the next searches start, one a flow measured: at the end of a law a flow may be found only from nearby.
+  using Guesses = std::vector<std::optional<double>>;
+  [[nodiscard]] const Guesses& guesses() const { return tangents_; }
+  void guess(Guesses guesses) const { tangents_ = std::move(guesses); }
 
  private:
   [[nodiscard]] Eigen::RowVectorXd by_variables(const steady::Sensitivity& s, double factor) const;
@@ -59,7 +64,7 @@ class Model {
   std::vector<int> offset_of_;  ///< variable of each profile, -1: none
   std::vector<double> slope_sigma_;
   /// tan zeta found last at each slope point, then each profile, from which the next search starts: not for two threads.
-  mutable std::vector<std::optional<double>> tangents_;
+  mutable Guesses tangents_;
   int n_data_ = 0;
 };
 

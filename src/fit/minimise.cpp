@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace talus::fit {
@@ -55,6 +56,22 @@ class OneResidual : public ceres::CostFunction {
   int row_;
 };
 
+/// Ends a descent whose steps have become too small to be worth their price, or that is told to stop.
+class Patience : public ceres::IterationCallback {
+ public:
+  explicit Patience(const LeastSquares& problem) : problem_(problem) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    stopped_ = problem_.stop && problem_.stop();
+    const bool small = step.iteration > 0 && std::abs(step.cost_change) < problem_.enough;
+    return stopped_ || small ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+ private:
+  const LeastSquares& problem_;
+  bool stopped_ = false;
+};
+
 ceres::LossFunction* loss_of(const LeastSquares& problem, int row) {
   if (row >= problem.n_robust) return nullptr;
   switch (problem.loss) {
@@ -92,10 +109,16 @@ std::optional<Minimum> minimise(const LeastSquares& problem, const Eigen::Vector
   options.parameter_tolerance = 1e-10;
   options.gradient_tolerance = 1e-12;
   options.logging_type = ceres::SILENT;
+  Patience patience(problem);
+  options.callbacks.push_back(&patience);
+  if (problem.enough > 0.0) {  // evaluations are dear, and rough
+    options.max_num_line_search_step_size_iterations = 0;
+    options.initial_trust_region_radius = 10.0;  // steps a tenth short, and half as long at once where one fails
+  }
   ceres::Solver::Summary summary;
   ceres::Solve(options, &sum, &summary);
-  return Minimum{cache.x(t.data()), summary.final_cost, summary.termination_type == ceres::CONVERGENCE,
-                 summary.message};
+  const bool ended = summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS;
+  return Minimum{cache.x(t.data()), summary.final_cost, ended && !patience.stopped(), summary.message};
 }
 
 }  // namespace talus::fit

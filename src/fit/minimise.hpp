@@ -20,12 +20,14 @@ struct LeastSquares {
   int n_robust;  ///< the first so many residuals are subject to the loss
   Loss loss;
   double loss_scale;
+  double enough = 0.0;           ///< ends where a step changes the cost by less
+  std::function<bool()> stop{};  ///< asked after each step; true ends the descent where it is
 };
 
 struct Minimum {
   Eigen::VectorXd x;
-  double cost;  ///< half the sum, with the loss
-  bool converged;
+  double cost;     ///< half the sum, with the loss
+  bool converged;  ///< not by `stop`
   std::string message;
 };
 

@@ -55,4 +55,29 @@ struct Problem {
   std::vector<double> predict{};  ///< flows [kg/s] for which slope and surface speed are wanted
 };
 
+/// A number of the layer's scene to be found that a steady flow does not know, as the friction of the base.
+struct LayerUnknown {
+  std::string key, unit;
+  double start, low, high;
+  std::optional<Unknown::Prior> prior;
+};
+
+/// A height of a heap, or a number of a series, measured at a time.
+struct LayerDatum {
+  std::string place;  ///< file and row, for messages
+  std::string kind;   ///< "height", or the number's name in run.nc
+  std::string unit;   ///< of value and error
+  double time;        ///< [s]
+  double x;           ///< [m] down the base; NaN for a number of the whole heap
+  double value, error;
+};
+
+/// What the layer model is asked, beside what the steady flow was.
+struct LayerStage {
+  std::vector<LayerUnknown> unknowns{};
+  std::vector<LayerDatum> data{};
+  int evaluations = 60;  ///< runs of the scene, at most
+  double step = 0.02;    ///< of a difference, as a share of the value
+};
+
 }  // namespace talus::fit

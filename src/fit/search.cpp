@@ -69,10 +69,14 @@ std::optional<LocalMinimum> descend(const Model& model, const Eigen::VectorXd& s
     penalty.weight = 10.0 * at_start->jacobian.squaredNorm() / at_start->conditions_jacobian.squaredNorm();
   const LeastSquares problem = least_squares(model, held, penalty);
   auto found = minimise(problem, start);
-  const auto is_kept = [&] { return model.at(found->x)->conditions.maxCoeff() <= condition_tolerance; };
   const bool asked = model.n_conditions() > 0;
-  for (int round = 0; found && asked && !is_kept() && round < most_rounds; ++round) {
-    penalty.multiplier = (penalty.multiplier + penalty.weight * model.at(found->x)->conditions).cwiseMax(0.0);
+  bool kept = !asked;
+  for (int round = 0; found && asked; ++round) {
+    const auto at = model.at(found->x);
+    if (!at) return std::nullopt;
+    kept = at->conditions.maxCoeff() <= condition_tolerance;
+    if (kept || round == most_rounds) break;
+    penalty.multiplier = (penalty.multiplier + penalty.weight * at->conditions).cwiseMax(0.0);
     if (round % 4 == 3) penalty.weight *= 10.0;
     found = minimise(problem, found->x);
   }
@@ -81,9 +85,9 @@ std::optional<LocalMinimum> descend(const Model& model, const Eigen::VectorXd& s
   // What the penalty adds to the cost is not the data's: it is taken off.
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;
-  problem.evaluate(found->x, residuals, jacobian);
+  if (!problem.evaluate(found->x, residuals, jacobian)) return std::nullopt;
   return LocalMinimum{found->x, found->cost - 0.5 * residuals.tail(model.n_conditions()).squaredNorm(),
-                      found->converged, is_kept()};
+                      found->converged, kept};
 }
 
 Starts starting_points(const Model& model) {

@@ -1,7 +1,8 @@
-"""The page of a fit, from fit.nc alone: slopes, profiles, residuals, profile likelihoods and directions."""
+"""The page of a fit, from fit.nc alone: slopes, profiles, heap shapes, series, residuals, profile likelihoods and directions."""
 
 import re
 import textwrap
+from functools import partial
 
 import numpy as np
 import xarray as xr
@@ -18,6 +19,8 @@ def draw(folder):
         panels.insert(0, draw_slopes)
     if "profile_curve_place" in data:
         panels.insert(1 if len(panels) > 1 else 0, draw_speeds)
+    kinds = [str(kind) for kind in dict.fromkeys(data["data_kind"].values[np.isfinite(data["data_time_s"].values)])]
+    panels += [draw_shapes if kind.startswith("height") else partial(draw_series, kind=kind) for kind in kinds]
     if "likelihood_name" in data:
         panels.append(draw_likelihoods)
     panels += [draw_directions, draw_table]
@@ -80,17 +83,48 @@ def draw_speeds(data, axes, number):
     look.label(axes, number, "speed against depth")
 
 
+def draw_shapes(data, axes, number):
+    heights = np.array([str(kind).startswith("height") for kind in data["data_kind"].values])
+    times = np.unique(data["data_time_s"].values[heights])
+    for time, colour in zip(times, look.sequence_colours(times.size)):
+        here = heights & (data["data_time_s"].values == time)
+        order = np.argsort(data["data_x_m"].values[here])
+        x, measured, error, model = (data[f"data_{c}"].values[here][order] * f
+                                     for c, f in (("x_m", 1.0), ("measured", 1e3), ("error", 1e3), ("model", 1e3)))
+        axes.plot(x, model, color=colour)
+        axes.errorbar(x, measured, error, fmt="o", color=colour, markersize=3, linewidth=0.8, label=f"{time:g} s")
+    axes.set(xlabel="distance down the base [m]", ylabel="height [mm]", ylim=(0.0, None))
+    axes.legend(loc="upper right", fontsize=8)
+    look.grid(axes)
+    look.label(axes, number, "heap shapes: measured, and best model")
+
+
+def draw_series(data, axes, number, kind):
+    here = data["data_kind"].values.astype(str) == kind
+    order = np.argsort(data["data_time_s"].values[here], kind="stable")
+    time, measured, error, model = (data[f"data_{c}"].values[here][order] for c in ("time_s", "measured", "error", "model"))
+    axes.plot(time, model, color=look.BLUE, label="best model")
+    axes.errorbar(time, measured, error, fmt="o", color=look.INK, markersize=3, linewidth=0.8, label="measured")
+    name, unit = kind.removesuffix("]").split(" [")
+    axes.set(xlabel="time [s]", ylabel=f"{name.replace('_', ' ')} [{unit}]")
+    axes.legend(loc="best", fontsize=8)
+    look.grid(axes)
+    look.label(axes, number, f"{name.replace('_', ' ')} against time")
+
+
 def draw_residuals(data, axes, number):
-    residual, slopes = data["data_residual"].values, is_slope(data)
+    residual = data["data_residual"].values
+    kinds = np.array([str(kind).split(" ")[0].replace("_", " ") for kind in data["data_kind"].values])
     order = np.arange(1, residual.size + 1)
     axes.axhspan(-2.0, 2.0, color="#eef3f8")
     axes.axhline(0.0, color=look.FAINT, linewidth=0.8)
-    for kind, colour, word in ((slopes, look.BLUE, "slopes"), (~slopes, look.ORANGE, "speeds")):
-        if kind.any():
-            axes.vlines(order[kind], 0.0, residual[kind], color=colour, linewidth=1.0)
-            axes.plot(order[kind], residual[kind], "o", color=colour, markersize=5, label=word)
+    size = 5 if order.size < 60 else 3
+    for word, colour in zip(dict.fromkeys(kinds), (look.BLUE, look.ORANGE, look.GREEN, look.PURPLE, look.INK)):
+        kind = kinds == word
+        axes.vlines(order[kind], 0.0, residual[kind], color=colour, linewidth=1.0)
+        axes.plot(order[kind], residual[kind], "o", color=colour, markersize=size, label=word)
     reach = max(3.0, 1.15 * np.abs(residual).max())
-    axes.set(xlabel="datum", ylabel="(measured - model)/error", ylim=(-reach, reach))
+    axes.set(xlabel="datum", ylabel="(measured - model)/error", ylim=(-reach, 1.3 * reach))
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend(loc="upper right", ncols=2)
     look.label(axes, number, "residuals; shaded: two standard deviations")
@@ -128,6 +162,15 @@ def draw_directions(data, axes, number):
     look.label(axes, number, "directions of relative changes")
 
 
+def of_stages(data, name, unit):
+    """What the steady flow alone says of a parameter."""
+    here = int(np.flatnonzero(data["stage_name"].values == name)[0])
+    value, error = (float(data[f"stage_{c}"].values[here]) for c in ("before", "before_error"))
+    if not np.isfinite(value):
+        return "by the layer's data only"
+    return f"steady flow alone: {value:.5g}{unit}" + (f" $\\pm$ {error:.2g}" if np.isfinite(error) else ", without an error")
+
+
 def draw_table(data, axes, number):
     axes.axis("off")
     rows = []  # of a name, and a line
@@ -136,6 +179,8 @@ def draw_table(data, axes, number):
         text = f"{value:.5g} $\\pm$ {error:.2g}{unit}" if np.isfinite(error) else f"{value:.3g}{unit}: {str(note).split(',')[0]}"
         first, *more = textwrap.wrap(text, 54)
         rows += [(short(name), first), *(("", line) for line in more)]
+        if "stage_name" in data:
+            rows += [("", line) for line in textwrap.wrap(of_stages(data, name, unit), 54)]
     if "lump_name" in data:
         for name, value, error, unit, formula in zip(*(data[f"lump_{c}"].values for c in ("name", "value", "error", "unit", "formula"))):
             rows.append((str(name), f"{value:.5g} $\\pm$ {error:.2g}" + ("" if str(unit) == "1" else f" {unit}")))

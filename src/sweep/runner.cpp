@@ -25,7 +25,9 @@ class Runner {
         watch_(watch),
         attempts_(scenes.size(), 0) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (next_action(manifest_.members[i]) != Action::skip) queue_.push_back(i);
+      const auto& state = manifest_.members[i];
+      const bool settled = state.status == Status::failed && !state.goes_on && !options.repeat_failed;
+      if (next_action(state) != Action::skip && !settled) queue_.push_back(i);
     }
   }
 

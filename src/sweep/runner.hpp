@@ -17,9 +17,10 @@ enum class Action : std::uint8_t { skip, run, restart };
 Action next_action(const MemberState& state);
 
 struct RunnerOptions {
-  int jobs = 1;         ///< members at a time
-  std::string program;  ///< path of talus
-  int attempts = 2;     ///< of a member that fails
+  int jobs = 1;               ///< members at a time
+  std::string program;        ///< path of talus
+  int attempts = 2;           ///< of a member that fails
+  bool repeat_failed = true;  ///< also those that failed by themselves before this call
 };
 
 /// What the runner tells while it works.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "output/table_file.hpp"
 #include "support/program.hpp"
 
 /// `talus fit`: from a fit file and its data to answers, files and a page; and what it says of bad input.
@@ -107,6 +108,59 @@ TEST_F(FitCommand, BadDataAreRefusedWithTheirPlace) {
   data("p.csv", "depth_mm,speed_m_s,speed_error_m_s\n1,0.2,0.01\n");
   refused(mu_w + profile, {"p.csv:1: depth_m: missing column; expected a number [m]", "depth_mm: unknown column"});
   refused(mu_w + "[[slopes]]\nfile = \"nowhere.csv\"\n", {"nowhere.csv: cannot be read"});
+}
+
+/// Columns of a netCDF file along one dimension.
+talus::output::Table columns(const std::vector<std::pair<std::string, std::string>>& names_and_units,
+                             const std::vector<std::vector<double>>& values) {
+  talus::output::Table table;
+  table.dimensions = {{"point", values.front().size()}};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    table.variables.push_back({names_and_units[i].first, {"point"}, names_and_units[i].second, "", values[i]});
+  return table;
+}
+
+TEST_F(FitCommand, AProfileInNetCdfSaysWhatItsCsvSays) {
+  const std::vector<std::vector<double>> values{
+      {0.001, 0.002, 0.003, 0.004}, {0.2, 0.15, 0.1, 0.07}, {0.01, 0.01, 0.01, 0.01}};
+  std::string csv = profile_header;
+  for (std::size_t i = 0; i < 4; ++i)
+    csv +=
+        std::to_string(values[0][i]) + "," + std::to_string(values[1][i]) + "," + std::to_string(values[2][i]) + "\n";
+  data("p.csv", csv);
+  ASSERT_EQ(fit(mu_w + profile).code, 0);
+  const json by_csv = json::parse(contents(folder_ / "out" / "fit.json"));
+  write_table(folder_ / "p.nc", columns({{"z", "m"}, {"u", "m s-1"}, {"speed_error", "m/s"}}, values));
+  const std::string named = "[[profile]]\nfile = \"p.nc\"\nflow = 0.0046\ndepth = \"z\"\nspeed = \"u\"\n";
+  const Outcome outcome = fit(mu_w + named);
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const json by_netcdf = json::parse(contents(folder_ / "out" / "fit.json"));
+  EXPECT_EQ(by_netcdf["unknown"], by_csv["unknown"]);
+  EXPECT_EQ(by_netcdf["chi2"], by_csv["chi2"]);
+}
+
+TEST_F(FitCommand, BadNetCdfProfilesAreRefusedWithTheirVariable) {
+  const std::string plain = "[[profile]]\nfile = \"p.nc\"\nflow = 0.0046\n";
+  const std::vector<std::vector<double>> good{{0.001, 0.002, 0.003}, {0.2, 0.15, 0.1}, {0.01, 0.01, 0.01}};
+  const auto write = [&](const std::vector<std::pair<std::string, std::string>>& names,
+                         const std::vector<std::vector<double>>& values) {
+    write_table(folder_ / "p.nc", columns(names, values));
+  };
+  refused(mu_w + plain, {"p.nc: cannot be read as netCDF"});
+  data("p.nc", "");
+  refused(mu_w + plain, {"p.nc: cannot be read as netCDF"});
+  write({{"depths", "m"}, {"speed", "m/s"}, {"speed_error", "m/s"}}, good);
+  refused(mu_w + plain, {"p.nc: depth: no such variable (did you mean depths?); expected a number [m]"});
+  write({{"depth", "mm"}, {"speed", "m/s"}, {"speed_error", "m/s"}}, good);
+  refused(mu_w + plain, {"p.nc: depth: expected the attribute units = \"m\", found \"mm\""});
+  write({{"depth", "m"}, {"speed", "m/s"}, {"speed_error", "m/s"}}, {good[0], good[1], {0.01, 0.0, 0.01}});
+  refused(mu_w + plain, {"p.nc: speed_error[1]: expected a number above 0 [m/s], found 0"});
+  write({{"depth", "m"}, {"speed", "m/s"}, {"speed_error", "m/s"}}, {good[0], {0.2, std::nan(""), 0.1}, good[2]});
+  refused(mu_w + plain, {"p.nc: speed[1]: expected a number [m/s], found nan"});
+  write({{"depth", "m"}, {"speed", "m/s"}, {"speed_error", "m/s"}}, {{0.001, 0.002}, {0.2, 0.1}, {0.01, 0.01}});
+  refused(mu_w + plain, {"profile.file", "p.nc: expected at least 3 rows of data, found 2"});
+  data("p.csv", profile_header + "0.001,0.2,0.01\n0.002,0.1,0.01\n0.003,0.1,0.01\n");
+  refused(mu_w + profile + "depth = \"z\"\n", {"profile.depth: is for netCDF files (.nc)"});
 }
 
 TEST_F(FitCommand, BadFitFilesAreRefusedWithTheirKey) {

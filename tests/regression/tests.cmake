@@ -7,7 +7,8 @@ talus_test(regression sweep_engines PROGRAM LIBRARIES nlohmann_json::nlohmann_js
 talus_test(regression sweep_snakemake PROGRAM LIBRARIES nlohmann_json::nlohmann_json LABELS slow)
 talus_test(regression cli_steady PROGRAM ROOMS rheology LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)
 talus_test(regression cli_hstop PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
-talus_test(regression cli_fit PROGRAM LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(regression cli_fit PROGRAM ROOMS core output LIBRARIES nlohmann_json::nlohmann_json)
+talus_test(regression cli_fit_layer PROGRAM LIBRARIES nlohmann_json::nlohmann_json PkgConfig::NETCDF)
 add_test(NAME paper COMMAND ${TALUS_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/regression/paper.py $<TARGET_FILE:talus>)
 set_tests_properties(paper PROPERTIES LABELS regression-slow)
 # In Debian's Chromium (TEST_PACKAGES).

@@ -188,4 +188,86 @@ TEST(FitAnswers, AHeldBackFlowIsPredictedWithItsError) {
   EXPECT_TRUE(lumped.predictions.front().zeta_error);
   EXPECT_FALSE(lumped.predictions.front().speed_error);
 }
+TEST(FitAnswers, AProfileLikelihoodRisesAsItsErrorSays) {
+  auto problem = slopes_only(table_2(), {0.001, 0.002, 0.0046, 0.006});
+  for (auto& point : problem.slopes) point.zeta_error = 0.01 * support::degree;  // so near that all is a parabola
+  problem.unknowns = {unknown(P::mu_w, 0.35, 0.3, 0.45), unknown(P::mu_inf, 1.0, 0.3, 3.0)};
+  const auto found = fit::fit(problem).value();
+  for (const auto& e : found.estimates) {
+    ASSERT_EQ(e.profile_at.size(), 9U) << e.variable.name;
+    int near = 0;
+    for (std::size_t k = 0; k < e.profile_at.size(); ++k) {
+      const double off = (e.profile_at[k] - e.value) / *e.error;
+      if (std::abs(off) > 0.8) continue;
+      ++near;
+      EXPECT_NEAR(e.profile_rise[k], off * off, 0.05) << e.variable.name << " " << off;
+    }
+    EXPECT_EQ(near, 3);
+    EXPECT_GT(std::max(e.profile_rise.front(), e.profile_rise.back()), 4.0);
+  }
+}
+
+TEST(FitAnswers, EveryStartIsToldAndTheyMeet) {
+  auto problem = slopes_only(table_2(), {0.002, 0.0046, 0.006}, 3);
+  problem.unknowns = {unknown(P::mu_w, 0.35, 0.2, 0.6)};
+  problem.starts = 5;
+  const auto found = fit::fit(problem).value();
+  ASSERT_EQ(found.starts.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE(found.starts[i].converged) << found.starts[i].failure;
+    EXPECT_NEAR(found.starts[i].chi2, found.chi2, 1e-6);
+    if (i == 0) continue;
+    EXPECT_GT(std::abs(found.starts[i].from[0] - found.starts[0].from[0]), 1e-3);
+  }
+}
+
+TEST(FitAnswers, ThreeProfilesFixMoreThanOne) {
+  Laboratory laboratory(table_2());
+  fit::Problem problem{table_2()};
+  problem.unknowns = {unknown(P::mu_s, 0.42, 0.2, 0.6), unknown(P::mu_d, 0.8, 0.5, 2.0),
+                      unknown(P::mu_w, 0.4, 0.2, 0.6)};
+  problem.likelihoods = false;
+  problem.starts = 1;
+  problem.profiles = {laboratory.profile(0.0046, 2e-3)};
+  problem.slopes = {laboratory.slope(0.0046, 0.1)};
+  const auto one = fit::fit(problem).value();
+  for (const double Q : {0.002, 0.006}) {
+    problem.profiles.push_back(laboratory.profile(Q, 2e-3));
+    problem.slopes.push_back(laboratory.slope(Q, 0.1));
+  }
+  const auto three = fit::fit(problem).value();
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_TRUE(three.estimates[i].error);
+    // Three times the data alone would make errors smaller by the root of three.
+    if (!one.estimates[i].error) continue;
+    EXPECT_LT(*three.estimates[i].error, *one.estimates[i].error / std::sqrt(3.0));
+  }
+}
+
+TEST(FitAnswers, AStartAtTheEndOfTheLawIsNotTheEndOfTheFit) {
+  auto problem = slopes_only(table_2(false), {0.001, 0.002, 0.003});
+  for (auto& point : problem.slopes) point.Q_error = 1e-5;
+  // The largest flux of the classical law falls as mu_w^(-5/2) from 4.59312 g/s: this start barely carries 3 g/s.
+  const double end = 0.3727 * std::pow(4.59312 / 3.0, 0.4);
+  problem.unknowns = {unknown(P::mu_w, end * (1.0 - 1e-6), 0.3, 0.6)};
+  problem.starts = 3;
+  const auto found = fit::fit(problem).value();
+  EXPECT_NEAR(found.x[0], 0.3727, 1e-5);
+  EXPECT_GE(found.infeasible_draws, 1);
+}
+
+// Its best mu_w lets the law's largest flux be the largest measured: there the quadrature fails or not, by rounding.
+TEST(FitAnswers, AStartWhoseQuadratureFailsIsToldAndNotTheEndOfTheFit) {
+  fit::Problem problem{table_2(false)};
+  const double printed[][2] = {{0.0020, 43.3769}, {0.0046, 47.9899}, {0.0060, 49.5276}};
+  for (const auto& [Q, zeta] : printed)
+    problem.slopes.push_back({Q, 2.9e-5, zeta * support::degree, 1e-4 * support::degree, "slope"});
+  problem.unknowns = {unknown(P::mu_w, 0.3727, 0.1, 1.0)};
+  problem.starts = 3;
+  problem.likelihoods = false;
+  const auto found = fit::fit(problem).value();
+  EXPECT_NEAR(found.x[0], 0.33492, 1e-4);
+  ASSERT_EQ(found.starts.size(), 3U);
+  for (const auto& start : found.starts) EXPECT_EQ(start.converged, start.failure.empty()) << start.failure;
+}
 }  // namespace

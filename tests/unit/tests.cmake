@@ -31,6 +31,7 @@ talus_test(unit rheology_well_posedness ROOMS rheology LIBRARIES nlohmann_json::
 talus_test(unit steady_answers ROOMS steady)
 talus_test(unit steady_sensitivity ROOMS steady)
 talus_test(unit fit_answers ROOMS core rheology steady fit)
+talus_test(unit fit_layer ROOMS core rheology steady fit)
 talus_test(unit steady_ill_posed_depths ROOMS steady LIBRARIES nlohmann_json::nlohmann_json)
 talus_test(unit ida_solutions ROOMS core linear bridge ida)
 talus_test(unit steady_profile_answers ROOMS steady)
