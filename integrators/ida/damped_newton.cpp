@@ -28,14 +28,14 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
 
   double expected = fresh_ ? unknown : std::max(contraction_, problem.drift());
   while (true) {
-    const bool close = remaining(expected) * step_norm_ <= tolerance;
-    if (close && settled(problem, expected)) return finish(x);
-    if (iterations_ >= options_.max_iterations) return close ? finish(x) : Status::diverged;
+    const bool done = close(expected, tolerance);
+    if (done && settled(problem, expected)) return finish(x);
+    if (iterations_ >= options_.max_iterations) return done ? finish(x) : Status::diverged;
     status = advance(problem, x, expected);
     // A residual that cannot be brought down further while even new factors want no more than the tolerance is rounding.
-    if (status == Status::diverged && close && norm_ <= tolerance) return finish(x);
+    if (status == Status::diverged && done && norm_ <= tolerance) return finish(x);
     if (status != Status::converged) return status;
-    if (remaining(expected) * step_norm_ <= tolerance) continue;
+    if (close(expected, tolerance)) continue;
     if (expected > options_.refresh_above) ++slow_;
     if (slow_ >= (doubt_ > 0 ? 1 : options_.slow_moves) && refreshes_ < options_.max_refreshes) {
       status = renew(problem, x);
@@ -62,6 +62,11 @@ void DampedNewton::count_doubt() {
     --doubt_;
   }
   shortened_ = false;
+}
+
+/// Whether what is left after one more step is within the tolerance.
+bool DampedNewton::close(double contraction, double tolerance) const {
+  return remaining(contraction) * step_norm_ <= tolerance && remaining(contraction) * step_largest_ <= 1.0;
 }
 
 /// Whether the residual, after one more correction, is as small as doubt demands.
@@ -91,6 +96,7 @@ void DampedNewton::accelerate(const NewtonProblem& problem) {
   secants_.set_scale(problem.scale());
   secants_.accelerate([&](auto a, auto b) { return problem.product(a, b); }, dx_, step_);
   step_norm_ = secants_.empty() ? norm_ : std::sqrt(problem.product(step_, step_));
+  step_largest_ = problem.largest(step_);
 }
 
 /// dx_ = -J^-1 g_ and its norm, and the step that follows.

@@ -24,6 +24,8 @@ class NewtonProblem {
   [[nodiscard]] virtual double scale() const { return 1.0; }
   /// The weighted inner product of which the norm is the root.
   [[nodiscard]] virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
+  /// The largest component of `v` over what may be left of it in one unknown. 0, as by default: the norm alone decides.
+  [[nodiscard]] virtual double largest(std::span<const double> /*v*/) const { return 0.0; }
   /// How much of the residual `g_start` is left in `g`: the largest share over groups of rows in one unit, a group at its
   /// rounding level counting as nothing. 0, as by default: corrections alone decide.
   [[nodiscard]] virtual double share_left(std::span<const double> /*g*/, std::span<const double> /*g_start*/) const {
@@ -41,7 +43,8 @@ class NewtonProblem {
 /// x + lambda s is accepted if the next correction, with the same J, is smaller. If it is not: first a stale J is
 /// renewed, then lambda is halved. With a stale J a trial may be somewhat worse (`growth`): it makes a secant, and the next
 /// step is better for it. After `slow_moves` moves in one solve that contracted by no more than `refresh_above`, J is renewed
-/// at the new x. The iteration ends when contraction/(1 - contraction) times the last step is below the tolerance; the
+/// at the new x. The iteration ends when contraction/(1 - contraction) times the last step is below the tolerance, and in no
+/// unknown above its own bound (NewtonProblem::largest); the
 /// contraction is the ratio of the last two corrections, and at the beginning of a solve that of the solve before.
 ///
 /// In doubt, no trial may be worse, one slow move renews J, and the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
@@ -72,6 +75,7 @@ class DampedNewton {
   /// No contraction is trusted below this: the next move may be accelerated less well than the last.
   static constexpr double least = 0.1;
 
+  [[nodiscard]] bool close(double contraction, double tolerance) const;
   [[nodiscard]] bool settled(const NewtonProblem& problem, double contraction) const;
   void count_doubt();
   Status finish(std::span<double> x);
@@ -86,6 +90,7 @@ class DampedNewton {
   double contraction_ = unknown;  ///< by the first move of the last solve that made one, with the factors at hand
   double norm_ = 0.0;             ///< of dx_
   double step_norm_ = 0.0;        ///< of step_
+  double step_largest_ = 0.0;     ///< of step_, by NewtonProblem::largest
   int iterations_ = 0, refreshes_ = 0;
   int slow_ = 0;            ///< moves of this solve that contracted by no more than refresh_above
   bool fresh_ = false;      ///< the factors were made at the present x

@@ -127,6 +127,14 @@ double StepNewton::product(std::span<const double> a, std::span<const double> b)
   return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(a.size());
 }
 
+double StepNewton::largest(std::span<const double> v) const {
+  const auto& layout = equations_.system().layout();
+  double most = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    most = std::max(most, std::abs(v[i]) / layout.fields[layout.field_of[i]].newton_bound);
+  return most;
+}
+
 double StepNewton::share_left(std::span<const double> g, std::span<const double> g_start) const {
   const auto& layout = equations_.system().layout();
   std::vector<double> now(layout.fields.size(), 0.0), start(now);

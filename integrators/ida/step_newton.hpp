@@ -36,6 +36,7 @@ class StepNewton final : private NewtonProblem {
   /// For factors of another c_j: it balances the errors of slow and of stiff components.
   [[nodiscard]] double scale() const override { return 2.0 / (1.0 + c_j_ / equations_.c_j()); }
   [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const override;
+  [[nodiscard]] double largest(std::span<const double> v) const override;
   [[nodiscard]] double drift() const override;
   /// Groups are the fields.
   [[nodiscard]] double share_left(std::span<const double> g, std::span<const double> g_start) const override;

@@ -63,7 +63,8 @@ class DirectSolver {
 /// The relative residual of a solve that is as accurate as double precision allows.
 inline constexpr double full_accuracy = 1e-12;
 
-enum class Choice : std::uint8_t { automatic, klu, umfpack, banded, condensed };
+/// `automatic` tries all but `dissected`; that is UMFPACK with nested dissection, for fields in the plane on large grids.
+enum class Choice : std::uint8_t { automatic, klu, umfpack, dissected, banded, condensed };
 
 struct Settings {
   Choice choice = Choice::automatic;

@@ -13,7 +13,8 @@ namespace {
 /// The solver that `settings.chosen` names, or null.
 std::unique_ptr<CheckedSolver> make_chosen(const SparsePattern& pattern, const Settings& settings) {
   const std::string& chosen = settings.chosen;
-  for (const auto strategy : {UmfpackSolver::Strategy::symmetric, UmfpackSolver::Strategy::unsymmetric})
+  using enum UmfpackSolver::Strategy;
+  for (const auto strategy : {symmetric, dissected, unsymmetric})
     if (chosen == UmfpackSolver::name(strategy)) return std::make_unique<UmfpackSolver>(pattern, strategy);
   if (chosen == BandedSolver::name) return std::make_unique<BandedSolver>(pattern, settings.ordering);
   if (chosen == CondensedSolver::name) return std::make_unique<CondensedSolver>(pattern);
@@ -29,6 +30,7 @@ std::unique_ptr<CheckedSolver> make_asked(const SparsePattern& pattern, const Se
     case Choice::klu:
       return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, settings.ordering, 0});
     case Choice::umfpack: return std::make_unique<UmfpackSolver>(pattern);
+    case Choice::dissected: return std::make_unique<UmfpackSolver>(pattern, UmfpackSolver::Strategy::dissected);
     case Choice::banded: return std::make_unique<BandedSolver>(pattern, settings.ordering);
     case Choice::condensed: return std::make_unique<CondensedSolver>(pattern);
     case Choice::automatic: break;

@@ -15,10 +15,22 @@ static_assert(sizeof(SuiteSparse_long) == sizeof(Index));
 UmfpackSolver::UmfpackSolver(const SparsePattern& matrix, Strategy strategy)
     : CheckedSolver(matrix), strategy_(strategy), control_(UMFPACK_CONTROL) {
   umfpack_dl_defaults(control_.data());
-  const bool symmetric = strategy == Strategy::symmetric;
+  const bool symmetric = strategy != Strategy::unsymmetric;
   control_[UMFPACK_STRATEGY] = symmetric ? UMFPACK_STRATEGY_SYMMETRIC : UMFPACK_STRATEGY_UNSYMMETRIC;
+  // Rows with a single entry, off the diagonal, make UMFPACK drop the symmetric strategy without a word.
+  if (symmetric) control_[UMFPACK_SINGLETONS] = 0.0;
+  if (strategy == Strategy::dissected) control_[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
   control_[UMFPACK_SYM_PIVOT_TOLERANCE] = 0.1;
   control_[UMFPACK_IRSTEP] = 0;
+}
+
+std::string UmfpackSolver::name(Strategy strategy) {
+  switch (strategy) {
+    case Strategy::symmetric: return "UMFPACK symmetric";
+    case Strategy::dissected: return "UMFPACK dissected";
+    case Strategy::unsymmetric: break;
+  }
+  return "UMFPACK unsymmetric";
 }
 
 UmfpackSolver::~UmfpackSolver() {
@@ -60,8 +72,8 @@ void UmfpackSolver::substitute(std::span<double> b) {
 
 std::string UmfpackSolver::describe() const {
   std::ostringstream line;
-  line << "UMFPACK " << UMFPACK_MAIN_VERSION << '.' << UMFPACK_SUB_VERSION << '.' << UMFPACK_SUBSUB_VERSION
-       << (strategy_ == Strategy::symmetric ? ", symmetric" : ", unsymmetric") << " strategy";
+  line << name(strategy_) << " strategy, version " << UMFPACK_MAIN_VERSION << '.' << UMFPACK_SUB_VERSION << '.'
+       << UMFPACK_SUBSUB_VERSION;
   if (numeric_ != nullptr) line << ", fill " << statistics().fill << ", residual " << statistics().first_residual;
   return line.str();
 }

@@ -73,8 +73,10 @@ View make_view(const TwoFluid& system, const core::Snapshot& snapshot) {
   for (int k = 0; k < g.n_layers(); ++k)
     for (int i = 0; i < g.n_columns(); ++i) v.cells.push_back(cell_state(system, context, snapshot.y, i, k));
   for (int i = 0; i < g.n_columns(); ++i) v.H.push_back(heap_height(system, snapshot.y, i));
-  if (g.n_columns() >= 3 && !g.periodic && system.parameters().grid.x_ratio == 1.0) {
-    const diagnostics::Surface surface{g.dx(0), system.parameters().box.tilt, v.H};
+  if (g.n_columns() >= 3 && !g.periodic) {
+    std::vector<double> x;
+    for (int i = 0; i < g.n_columns(); ++i) x.push_back(g.x_centre(i));
+    const diagnostics::Surface surface{g.dx(0), system.parameters().box.tilt, v.H, x};
     v.apex = diagnostics::apex(surface);
     v.face = diagnostics::right_face(surface);
   }

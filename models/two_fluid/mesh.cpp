@@ -21,6 +21,7 @@ grid::Rectilinear make_grid(const Parameters& par) {
 Mesh::Mesh(const Parameters& par)
     : grid_(make_grid(par)),
       jet_(par),
+      transport_(par.numerics.transport),
       left_wall_(!par.box.left_open),
       right_wall_(!par.box.right_open),
       exists_(reachable_cells(par, grid_, jet_)) {

@@ -23,6 +23,10 @@ class Mesh {
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return grid_; }
   [[nodiscard]] const JetRegion& jet() const { return jet_; }
+  /// Whether the flux of grains at (x, z) may be of second order, so that it reads cells that are not beside it.
+  [[nodiscard]] bool limits_at(double x, double z) const {
+    return transport_ == Transport::limited || (transport_ == Transport::jet && jet_.in_corridor(x, z));
+  }
   [[nodiscard]] bool has_cell(int i, int k) const {
     return grid_.has_column(i) && grid_.has_layer(k) && exists_[number(i, k)];
   }
@@ -57,6 +61,7 @@ class Mesh {
 
   grid::Rectilinear grid_;
   JetRegion jet_;
+  Transport transport_;
   bool left_wall_, right_wall_;
   std::vector<bool> exists_;  ///< each cell, column by column
   std::vector<double> inlet_;

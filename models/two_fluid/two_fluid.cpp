@@ -14,6 +14,9 @@
 namespace talus::two_fluid {
 namespace {
 
+/// Of what Newton's method leaves in the volume fraction of any one cell [1]: the bound that it is to keep is 1e-6.
+constexpr double fraction_bound = 3e-7;
+
 enum FieldNumber : std::uint8_t { field_u, field_w, field_phi, field_p, field_mass, field_H };
 
 Budgets budgets_of(const Parameters& par) {
@@ -25,7 +28,7 @@ core::Layout make_layout(const Parameters& par, const Mesh& mesh, const Unknowns
   core::Layout layout;
   layout.fields = {{"u", "m s-1", core::Kind::differential, par.atol_velocity},
                    {"w", "m s-1", core::Kind::differential, par.atol_velocity},
-                   {"phi", "1", core::Kind::differential, par.numerics.atol_fraction},
+                   {"phi", "1", core::Kind::differential, par.numerics.atol_fraction, fraction_bound},
                    {"p", "Pa", core::Kind::algebraic, par.atol_pressure},
                    {"mass", "kg", core::Kind::differential, par.atol_mass},
                    {"H", "m", core::Kind::differential, par.atol_height}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Field {
   std::string unit;           ///< SI, for example "m s-1"
   Kind kind;                  ///< differential unknowns enter the error test, algebraic ones do not
   double absolute_tolerance;  ///< in `unit`, for the error test (differential) and Newton's convergence test (both)
+  /// In `unit`: what Newton's method may leave in any single unknown, where a mean over all of them is not enough.
+  double newton_bound = std::numeric_limits<double>::infinity();
 };
 
 /// What each unknown is: `field_of[row]` indexes `fields`.

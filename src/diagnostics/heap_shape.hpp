@@ -5,24 +5,28 @@
 
 namespace talus::diagnostics {
 
-/// Heights of a heap's surface normal to a tilted base, at the centres x = (i + 1/2) dx of uniform columns.
+/// Heights of a heap's surface normal to a tilted base, at the centres of columns.
 struct Surface {
-  double dx;                  ///< [m]
-  double tilt;                ///< of the base against the horizontal [rad]; positive: down to the right
-  std::span<const double> H;  ///< [m]
+  double dx;                    ///< of equal columns, centres at (i + 1/2) dx [m]
+  double tilt;                  ///< of the base against the horizontal [rad]; positive: down to the right
+  std::span<const double> H;    ///< [m]
+  std::span<const double> x{};  ///< centres of columns that are not equal, shape of H [m]; empty: equal ones
+
+  [[nodiscard]] double centre(std::size_t i) const { return x.empty() ? (static_cast<double>(i) + 0.5) * dx : x[i]; }
 };
 
 struct Apex {
   int column;  ///< of the largest H; the leftmost of equals
-  double x;    ///< [m] of the parabola through it and its neighbours, at most half a column away from its centre
-  double H;    ///< [m] of the same
+  double
+      x;  ///< [m] of the parabola through it and its neighbours, not beyond the middle between its centre and a neighbour's
+  double H;  ///< [m] of the same
 };
 /// The apex is the point farthest from the base, not the highest: bare base may rise above the heap in a tilted box.
-/// Throws std::invalid_argument for fewer than three columns or a height that is not finite.
+/// Throws std::invalid_argument for fewer than three columns, a height that is not finite, or centres of another shape.
 [[nodiscard]] Apex apex(const Surface& surface);
 
 /// Which part of the right face counts as straight. The face runs from the apex to its toe: the first column with H
-/// below `toe` of the apex height, or the end of the box. `from` and `to` are shares of that run: apex rounding and
+/// below `toe` of the apex height, or the end of the box. `from` and `to` are shares of that run, counted in columns: apex rounding and
 /// outlet are left out.
 struct FaceRule {
   double toe = 0.1;

@@ -102,8 +102,9 @@ class Run:
         """When the inflow ended, None where it did not or never was."""
         if not self.has("inflow_rate") or self.series_times.size == 0:
             return None
-        flowing = np.flatnonzero(self.series("inflow_rate") > 0.0)
-        if flowing.size == 0 or flowing[-1] + 1 >= self.series_times.size:
+        rate = self.series("inflow_rate")
+        flowing = np.flatnonzero(rate > 1e-9 * rate.max())  # a solved-for rate ends at rounding, not at zero
+        if rate.max() <= 0.0 or flowing[-1] + 1 >= self.series_times.size:
             return None
         return float(self.series_times[flowing[-1]])
 

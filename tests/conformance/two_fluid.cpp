@@ -138,6 +138,38 @@ TEST(TwoFluid, MomentumTelescopesWithTheMassFluxOfTransport) {
   }
 }
 
+/// Where the flux of grains is of second order its row reads the cell two upstream; elsewhere that cell is no entry of the matrix.
+TEST(TwoFluid, FarCellsAreReadWhereTheFluxIsOfSecondOrder) {
+  constexpr double bump = 1e-3;
+  for (const char* transport : {"limited", "jet", "upwind"}) {
+    const TwoFluid system(heap(20, 10, {std::string("two_fluid.transport=") + transport}));
+    const auto& at = system.unknowns();
+    const auto& g = system.mesh().grid();
+    std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y), bumped(y);
+    for (const auto [f, k] : system.mesh().faces()) y[at.u(f, k)] = 0.5;
+    for (const auto [i, k] : system.mesh().cells()) y[at.phi(i, k)] = 0.1 + 0.02 * i + 0.01 * k;
+    system.residual(0.1, y, yp, r);
+    int n_read = 0;
+    for (const auto [i, k] : system.mesh().cells()) {
+      if (i + 2 >= g.n_columns()) continue;
+      const double x = g.x_nodes[i + 2], z = g.z_centre(k);
+      const auto& jet = system.mesh().jet();
+      const bool in_jet = jet.in_corridor(x, z) && jet.omega(x, z, 0.0) < 1.0;
+      const bool reads = *transport == 'l' || (*transport == 'j' && in_jet);
+      auto& phi = y[at.phi(i, k)];
+      phi += bump;
+      system.residual(0.1, y, yp, bumped);
+      phi -= bump;
+      EXPECT_EQ(bumped[at.phi(i + 2, k)] != r[at.phi(i + 2, k)], reads) << transport << ' ' << x << ' ' << z;
+      const bool is_entry = system.pattern().find(at.phi(i + 2, k), at.phi(i, k)) >= 0;
+      EXPECT_TRUE(is_entry || !reads);
+      EXPECT_FALSE(is_entry && !system.mesh().limits_at(x, z));
+      n_read += int(reads);
+    }
+    EXPECT_EQ(n_read > 0, *transport != 'u');
+  }
+}
+
 TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
   const TwoFluid system(
       heap(8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall", "box.right=wall"}));

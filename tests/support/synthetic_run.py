@@ -157,7 +157,7 @@ def write_series(file, heap):
     work = n / n[-1]
     scalars = {
         "mass_stored": stored, "mass_inflow": mass_in, "mass_outflow_right": mass_in - stored,
-        "mass_outflow_left": 0.0 * t, "mass_error": 1e-15 * n, "inflow_rate": kind.rate * (t <= kind.stop),
+        "mass_outflow_left": 0.0 * t, "mass_error": 1e-15 * n, "inflow_rate": np.where(t <= kind.stop, kind.rate, 1e-27),
         "outflow_rate_right": outflow, "outflow_rate_left": 0.0 * t, "heap_angle": 29.2 + 112.0 * stored,
         "n_steps": n.round(), "n_error_test_failures": (0.02 * n).round(), "n_newton_failures": (0.004 * n).round(),
         "n_factorisations": (0.3 * n).round(), "order": 1.0 + (n.round() % 3 > 0),

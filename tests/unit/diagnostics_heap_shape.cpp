@@ -56,6 +56,20 @@ TEST(HeapShape, NoFaceIsNoAngle) {
   EXPECT_FALSE(right_face({dx, tilt, coarse}).has_value());
 }
 
+TEST(HeapShape, ColumnsNeedNotBeEqual) {
+  std::vector<double> x, parabola, face;
+  for (int i = 0; i < 60; ++i) x.push_back(0.6 * (std::pow(1.03, i + 0.5) - 1.0) / (std::pow(1.03, 60) - 1.0));
+  for (const double at : x) {
+    parabola.push_back(0.1 - 3.0 * std::pow(at - 0.0533, 2));
+    face.push_back(0.2 - 0.4 * at - (at < 0.0533 ? 0.1 : 0.0));
+  }
+  const Apex a = apex({0.0, tilt, parabola, x});
+  EXPECT_NEAR(a.x, 0.0533, 1e-12);
+  EXPECT_NEAR(a.H, 0.1, 1e-12);
+  EXPECT_NEAR(right_face({0.0, tilt, face, x})->angle, tilt + std::atan(0.4), 1e-12);
+  EXPECT_THROW((void)apex({0.0, tilt, face, std::span(x).first(9)}), std::invalid_argument);
+}
+
 TEST(HeapShape, ApexIsTheVertexOfTheParabola) {
   std::vector<double> H;
   for (int i = 0; i < 60; ++i) H.push_back(0.1 - 3.0 * std::pow((i + 0.5) * dx - 0.0533, 2));

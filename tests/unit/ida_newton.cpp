@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -19,6 +20,7 @@ struct Scalars final : ida::NewtonProblem {
   std::function<bool(double)> admissible = [](double) { return true; };
   std::vector<double> factors;
   double expected_drift = HUGE_VAL;
+  double bound = HUGE_VAL;  // of what may be left in one unknown
   int n_residuals = 0, n_refreshes = 0;
 
   Scalars(std::function<double(double)> function, std::function<double(double)> derivative)
@@ -46,6 +48,11 @@ struct Scalars final : ida::NewtonProblem {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum / static_cast<double>(a.size());
+  }
+  [[nodiscard]] double largest(std::span<const double> v) const override {
+    double most = 0.0;
+    for (const double x : v) most = std::max(most, std::abs(x) / bound);
+    return most;
   }
   [[nodiscard]] double share_left(std::span<const double> r, std::span<const double> r_start) const override {
     return std::sqrt(product(r, r) / product(r_start, r_start));
@@ -185,6 +192,20 @@ TEST(DampedNewton, DoubtEndsAfterSolvesWithoutTroubleAndComesBackWithIt) {
   EXPECT_EQ(newton.solve(hard, x, 1e-9), Status::converged);
   calm_solves(1);
   EXPECT_TRUE(settles());
+}
+
+TEST(DampedNewton, AMeanOverManyUnknownsDoesNotHideOne) {
+  const auto error_of_one = [](double bound) {
+    Scalars problem([](double x) { return x * x - 2.0; }, [](double x) { return 2.0 * x; });
+    problem.bound = bound;
+    std::vector<double> x(10000, std::sqrt(2.0));
+    x[77] = 1.6;
+    DampedNewton newton({});
+    EXPECT_EQ(newton.solve(problem, x, 1e-3), Status::converged);
+    return std::abs(x[77] - std::sqrt(2.0));
+  };
+  EXPECT_GT(error_of_one(HUGE_VAL), 1e-4);
+  EXPECT_LT(error_of_one(1e-9), 1e-9);
 }
 
 TEST(DampedNewton, ShortensAStepThatIsRefused) {

@@ -16,8 +16,8 @@ namespace talus::test {
 /// A DaeSystem of N unknowns from a scalar-generic `Model`:
 ///   static constexpr int n; std::array<core::Kind, n> kinds; std::array<double, n> tolerances, y_0, yp_0;
 ///   template <class S> std::array<S, n> residual(double t, const std::array<S, n>& y, const std::array<S, n>& yp)
-///   const; Each unknown is a field of its own. The Jacobian is exact; its pattern is full, or what a
-///   static bool couples(int row, int column) of the model says.
+///   const; Each unknown is a field of its own, with the newton_bound that a std::array<double, n> bounds of the model says.
+///   The Jacobian is exact; its pattern is full, or what a static bool couples(int row, int column) of the model says.
 template <class Model>
 class SmallDae final : public core::DaeSystem {
  public:
@@ -28,6 +28,7 @@ class SmallDae final : public core::DaeSystem {
     std::vector<std::pair<core::Index, core::Index>> entries;
     for (int i = 0; i < n; ++i) {
       layout_.fields.push_back({"y" + std::to_string(i), "1", model.kinds[i], model.tolerances[i]});
+      if constexpr (requires { model.bounds; }) layout_.fields.back().newton_bound = model.bounds[i];
       layout_.field_of.push_back(static_cast<std::uint8_t>(i));
       for (int j = 0; j < n; ++j) {
         if (couples(i, j)) entries.emplace_back(i, j);

@@ -118,6 +118,41 @@ TEST(IdaStart, WithoutConstraintsTheStateIsKeptBitForBit) {
   EXPECT_NEAR(end.y[1], std::exp(-1.0), 1e-5);
 }
 
+/// c + c^3 = 2 sin t, with a tolerance under which its error does not count.
+struct Cubic {
+  static constexpr int n = 2;
+  std::array<core::Kind, n> kinds = {differential, algebraic};
+  std::array<double, n> tolerances = {1e-3, 1e3}, bounds = {HUGE_VAL, HUGE_VAL};
+  std::array<double, n> y_0 = {}, yp_0 = {};
+
+  template <class S>
+  std::array<S, n> residual(double t, const std::array<S, n>& y, const std::array<S, n>& yp) const {
+    return {yp[0] - std::cos(t), y[1] + y[1] * y[1] * y[1] - 2.0 * std::sin(t)};
+  }
+};
+
+/// The largest error of c at the end of a step.
+struct WorstCubic final : core::Observer {
+  double error = 0.0;
+  bool on_step(const core::Snapshot& now) override {
+    error = std::max(error, std::abs(now.y[1] + std::pow(now.y[1], 3) - 2.0 * std::sin(now.t)));
+    return true;
+  }
+};
+
+TEST(IdaSolution, ABoundHoldsForItsUnknownWhateverTheToleranceSays) {
+  const auto error = [](double bound) {
+    Cubic model;
+    model.bounds[1] = bound;
+    Journey<Cubic> run(options_with(1e-3), model);
+    WorstCubic worst;
+    EXPECT_TRUE(run.integrator.advance(3.0, worst));
+    return worst.error;
+  };
+  EXPECT_GT(error(HUGE_VAL), 1e-4);
+  EXPECT_LT(error(1e-8), 1e-7);
+}
+
 TEST(IdaSolution, LinearSaddlePointFollowsItsExactSolution) {
   Journey<Tied> run(options_with(1e-7));
   for (const double t : {0.1, 1.0, 3.0}) {

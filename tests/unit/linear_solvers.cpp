@@ -21,7 +21,8 @@ using linear::Choice;
 
 /// Those that take any matrix. `condensed` is for column models with a good diagonal: it cuts the band in two blindly.
 constexpr Choice general[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::banded};
-constexpr Choice every_choice[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::banded, Choice::condensed};
+constexpr Choice every_choice[] = {Choice::automatic, Choice::klu,    Choice::umfpack,
+                                   Choice::dissected, Choice::banded, Choice::condensed};
 
 /// max |b - A x| over max (|A| |x| + |b|), each row divided by its largest entry: computed here, not by the solver.
 double relative_residual(const Matrix& m, const std::vector<double>& x, const std::vector<double>& b) {
@@ -210,6 +211,33 @@ TEST(Umfpack, BothStrategiesAreSetAndNotGuessed) {
   EXPECT_LT(solve_residual(symmetric, m), 1e-10);
   EXPECT_LT(solve_residual(unsymmetric, m), 1e-10);
   EXPECT_LT(unsymmetric.statistics().fill, symmetric.statistics().fill);
+}
+
+/// `m` with the unknown of number `column` held by the row of another number: a single entry, off the diagonal.
+Matrix with_held_unknown(const Matrix& m, core::Index row, core::Index column) {
+  MatrixBuilder held(m.pattern.n());
+  for (core::Index j = 0; j < m.pattern.n(); ++j)
+    for (auto k = m.pattern.column_starts()[j]; k < m.pattern.column_starts()[j + 1]; ++k)
+      if (m.pattern.rows()[k] != row) held.add(m.pattern.rows()[k], j, m.values[k]);
+  held.add(row, column, 1.0);
+  return held.build();
+}
+
+TEST(Umfpack, AHeldUnknownDoesNotCostTheSymmetricStrategy) {
+  using enum linear::UmfpackSolver::Strategy;
+  const Matrix m = saddle_point(40, 40, 1e3, ConstraintAt::w);
+  const core::Index p = m.pattern.n() - 1;  // of the last cell, whose w is the number before
+  const Matrix held = with_held_unknown(m, p, p - 1);
+  const auto fill = [](const Matrix& matrix, linear::UmfpackSolver::Strategy strategy) {
+    linear::UmfpackSolver solver(matrix.pattern, strategy);
+    EXPECT_LT(solve_residual(solver, matrix), 1e-10);
+    return solver.statistics().fill;
+  };
+  for (const auto strategy : {symmetric, dissected}) {
+    EXPECT_NEAR(double(fill(held, strategy)), double(fill(m, strategy)), 0.02 * double(fill(m, strategy)));
+    EXPECT_LT(fill(m, strategy), 0.9 * double(fill(m, unsymmetric)));
+  }
+  EXPECT_LT(fill(m, dissected), fill(m, symmetric));
 }
 
 TEST(Condensed, SolvesForTheChainsAndGivesTheSameBitsAgain) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "two_fluid/grain_flux.hpp"
 #include "two_fluid/terms/kernel.hpp"
 
@@ -25,7 +27,9 @@ struct ConvectionAlongAlong : Kernel {
     const auto [i, k] = place(number);
     in[u_] = at->u(i, k);
     in[u_ + 1] = at->u(i + 1, k);
-    for (int j = 0; j < 5; ++j) in[phi_ + j] = at->phi(i - 2 + j, k);
+    for (int j = 1; j < 4; ++j) in[phi_ + j] = at->phi(i - 2 + j, k);
+    in[phi_] = far_phi_at_face(i, k, i - 2);
+    in[phi_ + 4] = far_phi_at_face(i + 1, k, i + 2);
     in[heap_] = heap_at_face(i, k) < 0 ? heap_at_face(i + 1, k) : heap_at_face(i, k);
     out = {mesh->is_wall(i) ? -1 : at->momentum_u(i, k), mesh->is_wall(i + 1) ? -1 : at->momentum_u(i + 1, k)};
   }
@@ -50,7 +54,9 @@ struct ConvectionUpUp : Kernel {
     const auto [i, k] = place(number);
     in[w_] = at->w(i, k);
     in[w_ + 1] = at->w(i, k + 1);
-    for (int j = 0; j < 5; ++j) in[phi_ + j] = at->phi(i, k - 2 + j);
+    for (int j = 1; j < 4; ++j) in[phi_ + j] = at->phi(i, k - 2 + j);
+    in[phi_] = far_phi_at_interface(i, k, k - 2);
+    in[phi_ + 4] = far_phi_at_interface(i, k + 1, k + 2);
     in[heap_] = heap_at_interface(i, k + 1) < 0 ? heap_at_interface(i, k) : heap_at_interface(i, k + 1);
     out = {k > 0 ? at->momentum_w(i, k) : -1, mesh->is_inlet(i, k + 1) ? -1 : at->momentum_w(i, k + 1)};
   }
@@ -78,7 +84,7 @@ struct ConvectionAlongUp : Kernel {
     in[u_ + 1] = at->u(f, k);
     for (int side = 0; side < 2; ++side) {
       in[w_ + side] = at->w(f - 1 + side, k);
-      for (int j = 0; j < 4; ++j) in[phi_ + 4 * side + j] = at->phi(f - 1 + side, k - 2 + j);
+      std::ranges::copy(row_at_interface(f - 1 + side, k), &in[phi_ + 4 * side]);
     }
     in[heap_] = heap_at_interface(f - 1, k) < 0 ? heap_at_interface(f, k) : heap_at_interface(f - 1, k);
     out = {at->momentum_u(f, k - 1), at->momentum_u(f, k)};
@@ -109,7 +115,7 @@ struct ConvectionUpAlong : Kernel {
     in[w_ + 1] = at->w(f, k);
     for (int side = 0; side < 2; ++side) {
       in[u_ + side] = at->u(f, k - 1 + side);
-      for (int j = 0; j < 4; ++j) in[phi_ + 4 * side + j] = at->phi(f - 2 + j, k - 1 + side);
+      std::ranges::copy(row_at_face(f, k - 1 + side), &in[phi_ + 4 * side]);
     }
     in[heap_] = heap_at_face(f, k) < 0 ? heap_at_face(f, k - 1) : heap_at_face(f, k);
     out = {at->momentum_w(f - 1, k), at->momentum_w(f, k)};

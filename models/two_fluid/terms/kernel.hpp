@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "fv/term.hpp"
 #include "two_fluid/context.hpp"
 #include "two_fluid/unknowns.hpp"
@@ -27,6 +29,21 @@ struct Kernel {
   }
   [[nodiscard]] Index heap_at_interface(int i, int k) const {
     return mesh->jet().in_corridor(grid().x_centre(grid().column(i)), grid().z_nodes[k]) ? at->heap() : -1;
+  }
+  /// phi of the cell (i, k), two from the face (f, k), or of the cell (i, layer), two from the interface (i, k): where the flux of grains
+  /// there reads it.
+  [[nodiscard]] Index far_phi_at_face(int f, int k, int i) const {
+    return mesh->limits_at(grid().x_nodes[grid().face(f)], grid().z_centre(k)) ? at->phi(i, k) : -1;
+  }
+  [[nodiscard]] Index far_phi_at_interface(int i, int k, int layer) const {
+    return mesh->limits_at(grid().x_centre(grid().column(i)), grid().z_nodes[k]) ? at->phi(i, layer) : -1;
+  }
+  /// phi of the four cells in a row that the flux of grains reads at the face (f, k) or the interface (i, k).
+  [[nodiscard]] std::array<Index, 4> row_at_face(int f, int k) const {
+    return {far_phi_at_face(f, k, f - 2), at->phi(f - 1, k), at->phi(f, k), far_phi_at_face(f, k, f + 1)};
+  }
+  [[nodiscard]] std::array<Index, 4> row_at_interface(int i, int k) const {
+    return {far_phi_at_interface(i, k, k - 2), at->phi(i, k - 1), at->phi(i, k), far_phi_at_interface(i, k, k + 1)};
   }
 };
 

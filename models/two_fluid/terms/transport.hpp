@@ -13,7 +13,8 @@ struct TransportAlong : Kernel {
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
-    in = {at->u(f, k), at->phi(f - 2, k), at->phi(f - 1, k), at->phi(f, k), at->phi(f + 1, k), heap_at_face(f, k)};
+    const auto phi = row_at_face(f, k);
+    in = {at->u(f, k), phi[0], phi[1], phi[2], phi[3], heap_at_face(f, k)};
     const bool inside = mesh->has_cell(f - 1, k) && mesh->has_cell(f, k), end = grid().is_end(f);
     const Index budget = inside ? -1 : (!end ? at->mass_top() : (f == 0 ? at->mass_left() : at->mass_right()));
     out = {at->continuity(f - 1, k), at->continuity(f, k), at->phi(f - 1, k), at->phi(f, k), budget};
@@ -40,7 +41,8 @@ struct TransportUp : Kernel {
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
-    in = {at->w(i, k), at->phi(i, k - 2), at->phi(i, k - 1), at->phi(i, k), at->phi(i, k + 1), heap_at_interface(i, k)};
+    const auto phi = row_at_interface(i, k);
+    in = {at->w(i, k), phi[0], phi[1], phi[2], phi[3], heap_at_interface(i, k)};
     const bool inside = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k);
     const Index budget = inside ? -1 : (mesh->is_inlet(i, k) ? at->mass_in() : at->mass_top());
     out = {at->continuity(i, k - 1), at->continuity(i, k), at->phi(i, k - 1), at->phi(i, k), budget};
