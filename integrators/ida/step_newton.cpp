@@ -55,7 +55,12 @@ StepNewton::StepNewton(Equations& equations, const NewtonOptions& options, void*
       g_(equations.size(), context),
       y_(equations.size()),
       yp_(equations.size()),
-      rounding_(equations.system().layout().fields.size(), 0.0) {}
+      rounding_(equations.system().layout().fields.size(), 0.0) {
+  const auto& layout = equations.system().layout();
+  for (std::size_t i = 0; i < y_.size(); ++i)
+    if (const double most = layout.fields[layout.field_of[i]].newton_bound; std::isfinite(most))
+      bounded_.push_back({i, most});
+}
 
 StepNewton::~StepNewton() { SUNNonlinSolFreeEmpty(handle_); }
 
@@ -128,10 +133,8 @@ double StepNewton::product(std::span<const double> a, std::span<const double> b)
 }
 
 double StepNewton::largest(std::span<const double> v) const {
-  const auto& layout = equations_.system().layout();
   double most = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    most = std::max(most, std::abs(v[i]) / layout.fields[layout.field_of[i]].newton_bound);
+  for (const auto& bounded : bounded_) most = std::max(most, std::abs(v[bounded.unknown]) / bounded.most);
   return most;
 }
 

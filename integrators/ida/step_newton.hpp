@@ -57,6 +57,11 @@ class StepNewton final : private NewtonProblem {
   N_Vector predicted_y_ = nullptr, predicted_yp_ = nullptr;
   std::vector<double> y_, yp_;
   std::vector<double> rounding_;  // squares of residuals that are rounding, summed over each field's rows
+  struct Bounded {
+    std::size_t unknown;
+    double most;
+  };
+  std::vector<Bounded> bounded_;  // unknowns whose field has a newton_bound
   long failures_ = 0;
 };
 
