@@ -20,6 +20,7 @@ DampedNewton::Status DampedNewton::solve(NewtonProblem& problem, std::span<doubl
   fresh_ = false;
   first_ = true;
   slow_ = 0;
+  secants_.reweigh();
   count_doubt();
   if (const auto outcome = problem.residual(x, g_); outcome != Outcome::ok) return failure(outcome);
   g_start_ = g_;

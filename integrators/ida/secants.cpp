@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus::ida {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 void Secants::add(double lambda, std::span<const double> step, std::span<const double> before,
                   std::span<const double> after) {
@@ -17,10 +23,21 @@ void Secants::add(double lambda, std::span<const double> step, std::span<const d
     pair.step[i] = lambda * step[i];
     pair.change[i] = (after[i] - before[i]) / scale_;
   }
+  pair.products.assign(depth_, unknown);
+}
+
+void Secants::reweigh() {
+  for (auto& pair : pairs_) pair.products.assign(depth_, unknown);
+}
+
+double Secants::product_of(const Product& product, std::size_t newer, std::size_t older) {
+  double& value = pairs_[newer].products[older - newer];
+  if (std::isnan(value)) value = product(pairs_[newer].change, pairs_[older].change);
+  return value;
 }
 
 /// Cholesky's factorisation L L^T of the Gram matrix of the changes, row by row, dependent and small rows left out.
-std::vector<double> Secants::nearest(const Product& product, std::span<const double> dx) const {
+std::vector<double> Secants::nearest(const Product& product, std::span<const double> dx) {
   const std::size_t m = pairs_.size();
   const double enough = m > 0 ? least_size * product(dx, dx) / (scale_ * scale_) : 0.0;
   std::vector<double> L(m * m, 0.0), gamma(m, 0.0);
@@ -31,10 +48,9 @@ std::vector<double> Secants::nearest(const Product& product, std::span<const dou
     return v;
   };
   for (std::size_t i = 0; i < m; ++i) {
-    const double whole = product(pairs_[i].change, pairs_[i].change);
+    const double whole = product_of(product, i, i);
     if (whole < enough) continue;
-    for (const std::size_t j : used)
-      L[i * m + j] = less_newer(product(pairs_[i].change, pairs_[j].change), i, j) / L[j * m + j];
+    for (const std::size_t j : used) L[i * m + j] = less_newer(product_of(product, j, i), i, j) / L[j * m + j];
     const double rest = less_newer(whole, i, i);
     if (!(rest > least_new * whole)) continue;
     L[i * m + i] = std::sqrt(rest);
@@ -50,7 +66,7 @@ std::vector<double> Secants::nearest(const Product& product, std::span<const dou
   return gamma;
 }
 
-void Secants::accelerate(const Product& product, std::span<const double> dx, std::span<double> step) const {
+void Secants::accelerate(const Product& product, std::span<const double> dx, std::span<double> step) {
   const auto gamma = nearest(product, dx);
   std::copy(dx.begin(), dx.end(), step.begin());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {

@@ -19,13 +19,15 @@ class Secants {
 
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   void clear() { pairs_.clear(); }
+  /// The weights of the product have changed since the last accelerate().
+  void reweigh();
   /// Of the corrections that follow.
   void set_scale(double scale) { scale_ = scale; }
   /// Of the move x += lambda step, along which the correction went from `before` to `after`; all of shape n.
   void add(double lambda, std::span<const double> step, std::span<const double> before, std::span<const double> after);
   /// step = dx - sum_i gamma_i (step_i + change_i), where sum_i gamma_i change_i is nearest to dx/scale. Nothing is taken of changes
   /// that are nearly dependent on newer ones, or so small beside dx that their rounding would be blown up.
-  void accelerate(const Product& product, std::span<const double> dx, std::span<double> step) const;
+  void accelerate(const Product& product, std::span<const double> dx, std::span<double> step);
 
  private:
   /// Squared part of a change, outside the span of newer ones, below which it counts as dependent.
@@ -35,9 +37,11 @@ class Secants {
 
   struct Pair {
     std::vector<double> step, change;
+    std::vector<double> products;  // of this change and that of the pair so many places older; NaN where not yet known
   };
   /// gamma, zero for dependent and for small changes.
-  [[nodiscard]] std::vector<double> nearest(const Product& product, std::span<const double> dx) const;
+  [[nodiscard]] std::vector<double> nearest(const Product& product, std::span<const double> dx);
+  double product_of(const Product& product, std::size_t newer, std::size_t older);
 
   std::size_t depth_;
   double scale_ = 1.0;
