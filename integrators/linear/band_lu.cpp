@@ -10,7 +10,10 @@ namespace talus::linear {
 namespace {
 
 /// The rows of a band beyond its last entry are kept as zeros as far as this takes them.
-Index whole_lanes(Index m) { return (m + dense::lanes - 1) / dense::lanes * dense::lanes; }
+template <class Real>
+Index whole_lanes(Index m) {
+  return (m + dense::lanes<Real> - 1) / dense::lanes<Real> * dense::lanes<Real>;
+}
 
 void no_smaller(int& most, Index value) { most = std::max(most, static_cast<int>(value)); }
 
@@ -47,7 +50,7 @@ BandLu<Real>::BandLu(Index n, Index width, Index window, Index tail)
       window_(std::min(window, width)),
       tail_(tail),
       above_(width + window_ + panel),
-      leading_(above_ + width + panel + dense::lanes + 1),
+      leading_(above_ + width + panel + dense::lanes<Real> + 1),
       last_row_(n),
       last_column_(n),
       L_end_(n),
@@ -108,7 +111,7 @@ void BandLu<Real>::subtract_product(Index m, Index n, Index k, const Real* A, co
 
 template <class Real>
 void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
-  using dense::lanes;
+  constexpr Index lanes = dense::lanes<Real>;
   const Index n = lu.n_, ld = lu.stride();
   Real* const origin = store + lu.above_;  // of A(0, 0); A(i, j) is i + j ld further
   const auto at = [&](Index i, Index j) { return origin + i + j * ld; };
@@ -116,7 +119,7 @@ void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
   for (std::size_t number = 0; number + 1 < lu.panels_.size(); ++number) {
     const Index a = lu.panels_[number], b = lu.panels_[number + 1];
     for (Index s = a; s < b; s += lanes) {
-      const Index e = std::min<Index>(s + lanes, b);
+      const Index e = std::min(s + lanes, b);
       for (Index j = s; j < e; ++j) {
         no_smaller(lowest, lu.last_row_[j]);
         Real* const column = at(0, j);
@@ -147,7 +150,8 @@ void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
       }
       if (e < b) {
         dense::solve_lower(e - s, b - e, at(s, s), ld, at(s, e), ld);
-        dense::subtract_product(whole_lanes(lowest + 1 - e), b - e, e - s, at(e, s), ld, at(s, e), ld, at(e, e), ld);
+        dense::subtract_product(whole_lanes<Real>(lowest + 1 - e), b - e, e - s, at(e, s), ld, at(s, e), ld, at(e, e),
+                                ld);
       }
     }
     const std::size_t first = lu.first_exchange_.back();
@@ -158,7 +162,8 @@ void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
         std::swap(*at(lu.exchanges_[x].row, c), *at(lu.exchanges_[x].with, c));
     if (end > b) {
       dense::solve_lower(b - a, end - b, at(a, a), ld, at(a, b), ld);
-      dense::subtract_product(whole_lanes(lowest + 1 - b), end - b, b - a, at(b, a), ld, at(a, b), ld, at(b, b), ld);
+      dense::subtract_product(whole_lanes<Real>(lowest + 1 - b), end - b, b - a, at(b, a), ld, at(a, b), ld, at(b, b),
+                              ld);
     }
     // What an exchange put below the end of an earlier column of the panel.
     int lower = 0;

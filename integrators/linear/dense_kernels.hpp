@@ -17,11 +17,12 @@ inline bool has_fma() {
 }
 #endif
 
-/// Eight numbers side by side: registers of 32 bytes where there are such, parts of them elsewhere.
-constexpr int lanes = 8;
+/// How many numbers stand side by side: registers of 32 bytes where there are such, parts of them elsewhere.
+template <class Real>
+constexpr int lanes = 32 / static_cast<int>(sizeof(Real));
 template <class Real>
 struct Lanes {
-  using type [[gnu::vector_size(lanes * sizeof(Real)), gnu::aligned(alignof(Real)), gnu::may_alias]] = Real;
+  using type [[gnu::vector_size(32), gnu::aligned(alignof(Real)), gnu::may_alias]] = Real;
 };
 
 /// C -= A B for a tile of n_vectors * lanes rows and n_columns columns.
@@ -31,25 +32,25 @@ template <class Real, int n_vectors, int n_columns>
   using V = typename Lanes<Real>::type;
   V sum[n_columns][n_vectors];
   for (int j = 0; j < n_columns; ++j)
-    for (int v = 0; v < n_vectors; ++v) sum[j][v] = *reinterpret_cast<const V*>(C + j * ldc + v * lanes);
+    for (int v = 0; v < n_vectors; ++v) sum[j][v] = *reinterpret_cast<const V*>(C + j * ldc + v * lanes<Real>);
   for (Index p = 0; p < k; ++p) {
     V a[n_vectors];
-    for (int v = 0; v < n_vectors; ++v) a[v] = *reinterpret_cast<const V*>(A + p * lda + v * lanes);
+    for (int v = 0; v < n_vectors; ++v) a[v] = *reinterpret_cast<const V*>(A + p * lda + v * lanes<Real>);
     for (int j = 0; j < n_columns; ++j)
       for (int v = 0; v < n_vectors; ++v) sum[j][v] -= a[v] * B[j * ldb + p];
   }
   for (int j = 0; j < n_columns; ++j)
-    for (int v = 0; v < n_vectors; ++v) *reinterpret_cast<V*>(C + j * ldc + v * lanes) = sum[j][v];
+    for (int v = 0; v < n_vectors; ++v) *reinterpret_cast<V*>(C + j * ldc + v * lanes<Real>) = sum[j][v];
 }
 
 template <class Real, int n_columns>
 [[gnu::always_inline]] inline void subtract_columns(Index m, Index k, const Real* A, Index lda, const Real* B,
                                                     Index ldb, Real* C, Index ldc) {
-  constexpr int most = sizeof(Real) == sizeof(float) ? 3 : 1;
+  constexpr int most = 3;  // with four columns, what sixteen registers hold
   Index i = 0;
-  for (; i + most * lanes <= m; i += most * lanes)
+  for (; i + most * lanes<Real> <= m; i += most * lanes<Real>)
     subtract_tile<Real, most, n_columns>(k, A + i, lda, B, ldb, C + i, ldc);
-  for (; i + lanes <= m; i += lanes) subtract_tile<Real, 1, n_columns>(k, A + i, lda, B, ldb, C + i, ldc);
+  for (; i + lanes<Real> <= m; i += lanes<Real>) subtract_tile<Real, 1, n_columns>(k, A + i, lda, B, ldb, C + i, ldc);
   for (; i < m; ++i)
     for (int j = 0; j < n_columns; ++j) {
       Real sum = C[i + j * ldc];
@@ -70,14 +71,14 @@ template <class Real>
 /// X <- L^-1 X, X of shape (m, n), L lower with ones on its diagonal, m <= lanes.
 template <class Real>
 [[gnu::always_inline]] inline void solve_small_lower(Index m, Index n, const Real* L, Index ldl, Real* X, Index ldx) {
-  if (m == lanes) {
+  if (m == lanes<Real>) {
     using V = typename Lanes<Real>::type;
-    V column[lanes];
-    for (int p = 0; p < lanes; ++p)
-      for (int i = 0; i < lanes; ++i) column[p][i] = i > p ? L[i + p * ldl] : Real(0);
+    V column[lanes<Real>]{};
+    for (int p = 0; p < lanes<Real>; ++p)
+      for (int i = p + 1; i < lanes<Real>; ++i) column[p][i] = L[i + p * ldl];
     for (Index j = 0; j < n; ++j) {
       V x = *reinterpret_cast<const V*>(X + j * ldx);
-      for (int p = 0; p + 1 < lanes; ++p) x -= column[p] * x[p];
+      for (int p = 0; p + 1 < lanes<Real>; ++p) x -= column[p] * x[p];
       *reinterpret_cast<V*>(X + j * ldx) = x;
     }
     return;
@@ -90,8 +91,8 @@ template <class Real>
 /// X <- L^-1 X for any m.
 template <class Real>
 [[gnu::always_inline]] inline void solve_lower(Index m, Index n, const Real* L, Index ldl, Real* X, Index ldx) {
-  for (Index s = 0; s < m; s += lanes) {
-    const Index size = m - s < lanes ? m - s : Index{lanes}, rest = m - s - size;
+  for (Index s = 0; s < m; s += lanes<Real>) {
+    const Index size = m - s < lanes<Real> ? m - s : Index{lanes<Real>}, rest = m - s - size;
     solve_small_lower(size, n, L + s + s * ldl, ldl, X + s, ldx);
     if (rest > 0) subtract_product(rest, n, size, L + s + size + s * ldl, ldl, X + s, ldx, X + s + size, ldx);
   }
