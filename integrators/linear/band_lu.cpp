@@ -22,6 +22,7 @@ void no_smaller(int& most, Index value) { most = std::max(most, static_cast<int>
 /// Each once for any processor and once for those with AVX2 and FMA.
 template <class Real>
 struct BandLu<Real>::Kernels {
+  struct Factoring;
   [[gnu::always_inline]] static inline void factor(BandLu& lu, Real* store);
   [[gnu::always_inline]] static inline void solve_tail(const BandLu& lu, const Real* store, Index m, Real* X);
   [[gnu::always_inline]] static inline void product(Index m, Index n, Index k, const Real* A, const Real* B, Real* C) {
@@ -87,6 +88,18 @@ void BandLu<Real>::factor(Real* store) {
   }
 }
 
+/// The columns of L in the last panel end where an exchange put an entry below their end, and none ends before an earlier one.
+template <class Real>
+void BandLu<Real>::lengthen(Index a, Index b) {
+  const std::size_t first = first_exchange_[first_exchange_.size() - 2];
+  int lower = 0;
+  for (std::size_t x = exchanges_.size(); x-- > first;) {
+    no_smaller(lower, exchanges_[x].with);
+    for (Index j = x > first ? exchanges_[x - 1].row : a; j < exchanges_[x].row; ++j) no_smaller(L_end_[j], lower);
+  }
+  for (Index j = std::max<Index>(a, 1); j < b; ++j) no_smaller(L_end_[j], L_end_[j - 1]);
+}
+
 template <class Real>
 void BandLu<Real>::solve_tail(const Real* store, Index m, Real* X) const {
 #ifdef TALUS_FMA
@@ -109,70 +122,84 @@ void BandLu<Real>::subtract_product(Index m, Index n, Index k, const Real* A, co
   Kernels::product_anywhere(m, n, k, A, B, C);
 }
 
+/// An elimination under way.
+template <class Real>
+struct BandLu<Real>::Kernels::Factoring {
+  BandLu& lu;
+  Real* origin;  ///< of A(0, 0); A(i, j) is i + j ld further
+  Index ld;
+  int lowest = 0;             ///< row that an entry was announced for in the columns so far
+  int known = -1, reach = 0;  ///< rows up to `known` reach to column `reach`
+  int farthest = 0;           ///< column of U so far
+
+  [[gnu::always_inline]] Real* at(Index i, Index j) const { return origin + i + j * ld; }
+
+  /// Column j of the panel [a, b): its pivot, its part of L, and what it takes from the columns up to e.
+  [[gnu::always_inline]] void eliminate(Index j, Index a, Index e, Index b) {
+    no_smaller(lowest, lu.last_row_[j]);
+    Real* const column = at(0, j);
+    const Index pivot = choose(j, column);
+    if (pivot != j) {
+      lu.exchanges_.push_back({static_cast<int>(j), static_cast<int>(pivot)});
+      for (Index c = a; c < b; ++c) std::swap(*at(j, c), *at(pivot, c));
+    }
+    while (known < pivot) no_smaller(reach, lu.last_column_[++known]);
+    no_smaller(farthest, reach);
+    lu.L_end_[j] = lowest;
+    lu.U_start_[j] = farthest;
+    const Real inverse = Real(1) / column[j];
+    for (Index i = j + 1; i <= lowest; ++i) column[i] *= inverse;
+    for (Index c = j + 1; c < e; ++c) {
+      const Real u = *at(j, c);
+      Real* const other = at(0, c);
+      for (Index i = j + 1; i <= lowest; ++i) other[i] -= column[i] * u;
+    }
+  }
+
+  [[gnu::always_inline]] Index choose(Index j, const Real* column) const {
+    const Index near = std::min<Index>(lowest, j + lu.window_);
+    Real most_near = 0, most_far = 0;
+    for (Index i = j + 1; i <= near; ++i) most_near = std::max(most_near, std::abs(column[i]));
+    for (Index i = near + 1; i <= lowest; ++i) most_far = std::max(most_far, std::abs(column[i]));
+    Index pivot = j;
+    if (std::abs(column[j]) < Real(0.5) * most_near)
+      while (std::abs(column[pivot]) < most_near) ++pivot;
+    const Real value = std::abs(column[pivot]);
+    if (!(value > Real(0)) || static_cast<Real>(most_growth) * value < most_far)
+      throw SingularMatrix("no pivot of the band is within reach", -1);
+    return pivot;
+  }
+
+  /// What the eliminated columns [s, e) take from the columns [first, last): rows of U, then what lies below.
+  [[gnu::always_inline]] void update(Index s, Index e, Index first, Index last) const {
+    if (last <= first) return;
+    dense::solve_lower(e - s, last - first, at(s, s), ld, at(s, first), ld);
+    dense::subtract_product(whole_lanes<Real>(lowest + 1 - e), last - first, e - s, at(e, s), ld, at(s, first), ld,
+                            at(e, first), ld);
+  }
+
+  /// The exchanges from `start` on, in the columns from b on that they reach.
+  [[gnu::always_inline]] void exchange(std::size_t start, Index b) const {
+    for (Index c = b; c <= std::min<Index>(farthest, lu.n_ - 1); ++c)
+      for (std::size_t x = start; x < lu.exchanges_.size(); ++x)
+        std::swap(*at(lu.exchanges_[x].row, c), *at(lu.exchanges_[x].with, c));
+  }
+};
+
 template <class Real>
 void BandLu<Real>::Kernels::factor(BandLu& lu, Real* store) {
-  constexpr Index lanes = dense::lanes<Real>;
-  const Index n = lu.n_, ld = lu.stride();
-  Real* const origin = store + lu.above_;  // of A(0, 0); A(i, j) is i + j ld further
-  const auto at = [&](Index i, Index j) { return origin + i + j * ld; };
-  int lowest = 0, known = -1, reach = 0, farthest = 0;
+  Factoring f{lu, store + lu.above_, lu.stride()};
   for (std::size_t number = 0; number + 1 < lu.panels_.size(); ++number) {
     const Index a = lu.panels_[number], b = lu.panels_[number + 1];
-    for (Index s = a; s < b; s += lanes) {
-      const Index e = std::min(s + lanes, b);
-      for (Index j = s; j < e; ++j) {
-        no_smaller(lowest, lu.last_row_[j]);
-        Real* const column = at(0, j);
-        const Index near = std::min<Index>(lowest, j + lu.window_);
-        Real most_near = 0, most_far = 0;
-        for (Index i = j + 1; i <= near; ++i) most_near = std::max(most_near, std::abs(column[i]));
-        for (Index i = near + 1; i <= lowest; ++i) most_far = std::max(most_far, std::abs(column[i]));
-        Index pivot = j;
-        if (std::abs(column[j]) < Real(0.5) * most_near) {
-          while (std::abs(column[pivot]) < most_near) ++pivot;
-          lu.exchanges_.push_back({static_cast<int>(j), static_cast<int>(pivot)});
-          for (Index c = a; c < b; ++c) std::swap(*at(j, c), *at(pivot, c));
-        }
-        const Real value = column[j];
-        if (!(std::abs(value) > Real(0)) || static_cast<Real>(most_growth) * std::abs(value) < most_far)
-          throw SingularMatrix("no pivot of the band is within reach", -1);
-        while (known < pivot) no_smaller(reach, lu.last_column_[++known]);
-        no_smaller(farthest, reach);
-        lu.L_end_[j] = lowest;
-        lu.U_start_[j] = farthest;
-        const Real inverse = Real(1) / value;
-        for (Index i = j + 1; i <= lowest; ++i) column[i] *= inverse;
-        for (Index c = j + 1; c < e; ++c) {
-          const Real u = *at(j, c);
-          Real* const other = at(0, c);
-          for (Index i = j + 1; i <= lowest; ++i) other[i] -= column[i] * u;
-        }
-      }
-      if (e < b) {
-        dense::solve_lower(e - s, b - e, at(s, s), ld, at(s, e), ld);
-        dense::subtract_product(whole_lanes<Real>(lowest + 1 - e), b - e, e - s, at(e, s), ld, at(s, e), ld, at(e, e),
-                                ld);
-      }
+    for (Index s = a; s < b; s += dense::lanes<Real>) {
+      const Index e = std::min<Index>(s + dense::lanes<Real>, b);
+      for (Index j = s; j < e; ++j) f.eliminate(j, a, e, b);
+      f.update(s, e, e, b);
     }
-    const std::size_t first = lu.first_exchange_.back();
+    f.exchange(lu.first_exchange_.back(), b);
     lu.first_exchange_.push_back(lu.exchanges_.size());
-    const Index end = std::min<Index>(farthest, n - 1) + 1;
-    for (Index c = b; c < end; ++c)
-      for (std::size_t x = first; x < lu.exchanges_.size(); ++x)
-        std::swap(*at(lu.exchanges_[x].row, c), *at(lu.exchanges_[x].with, c));
-    if (end > b) {
-      dense::solve_lower(b - a, end - b, at(a, a), ld, at(a, b), ld);
-      dense::subtract_product(whole_lanes<Real>(lowest + 1 - b), end - b, b - a, at(b, a), ld, at(a, b), ld, at(b, b),
-                              ld);
-    }
-    // What an exchange put below the end of an earlier column of the panel.
-    int lower = 0;
-    for (std::size_t x = lu.exchanges_.size(); x-- > first;) {
-      no_smaller(lower, lu.exchanges_[x].with);
-      const Index until = lu.exchanges_[x].row;
-      for (Index j = x > first ? lu.exchanges_[x - 1].row : a; j < until; ++j) no_smaller(lu.L_end_[j], lower);
-    }
-    for (Index j = std::max<Index>(a, 1); j < b; ++j) no_smaller(lu.L_end_[j], lu.L_end_[j - 1]);
+    f.update(a, b, b, std::min<Index>(f.farthest, lu.n_ - 1) + 1);
+    lu.lengthen(a, b);
   }
 }
 

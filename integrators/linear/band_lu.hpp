@@ -53,6 +53,7 @@ class BandLu {
 
  private:
   struct Kernels;
+  void lengthen(Index a, Index b);
   Index n_ = 0, width_ = 0, window_ = 0, tail_ = 0, above_ = 0, leading_ = 0;
   std::vector<Index> panels_;
   std::vector<int> last_row_, last_column_;  // of columns and rows, as announced
