@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <string>
@@ -47,7 +48,7 @@ TEST(Both, WakesASleepingCompanion) {
 }
 
 TEST(Both, MayBeNested) {
-  int n = 0, m = 0;
+  std::atomic<int> n{0}, m{0};
   both(
       true,
       [&] {
