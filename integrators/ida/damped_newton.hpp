@@ -44,11 +44,11 @@ class NewtonProblem {
 /// renewed, then lambda is halved. With a stale J a trial may be somewhat worse (`growth`): it makes a secant, and the next
 /// step is better for it. After `slow_moves` moves in one solve that contracted by no more than `refresh_above`, J is renewed
 /// at the new x. The iteration ends when contraction/(1 - contraction) times the last step is below the tolerance, and in no
-/// unknown above its own bound (NewtonProblem::largest); the
-/// contraction is the ratio of the last two corrections, and at the beginning of a solve that of the solve before.
+/// unknown above its own bound (NewtonProblem::largest); the contraction is the ratio of the last two corrections, and at the
+/// beginning of a solve that of the solve before.
 ///
-/// In doubt, no trial may be worse, one slow move renews J, and the residual must also have fallen to `residual_share` of what it was at the start of the solve. A system that is
-/// stiff here and soft beside it (a yielding material) needs that: with factors of the stiff state a large residual makes a
+/// In doubt, no trial may be worse, one slow move renews J, and the residual must also have fallen to `residual_share` of
+/// what it was at the start of the solve. A system that is stiff here and soft beside it (a yielding material) needs that: with factors of the stiff state a large residual makes a
 /// correction far below the tolerance, and what it leaves behind starts the next solve outside the stiff state. In doubt
 /// are the first `doubt` solves, and as many after a step had to be shortened; twice as many each time that this happens in
 /// doubt.

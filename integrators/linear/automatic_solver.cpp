@@ -30,13 +30,13 @@ double banded_seconds(const BandedSolver& solver) {
   return solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries;
 }
 
-/// Two threads share the band; one of them is started anew each time. Single precision takes half as long.
+/// Two threads share the band, at a price for each handing over. Single precision takes half as long.
 double condensed_seconds(const CondensedSolver& solver) {
-  constexpr double start_of_a_thread = 3e-5;
+  constexpr double handing_over = 3e-5;
   const auto width = static_cast<double>(solver.width()), kept = static_cast<double>(solver.n_kept());
   const double entries = kept * (3.0 * width + 1.0), share = solver.allows_single() ? 0.3 : 0.6;
   return share * (solver.flops_bound() * (1.0 + 70.0 / (width + 1.0)) / 30e9 + (0.5e-9 + solves * 1.36e-9) * entries) +
-         (1.0 + solves) * start_of_a_thread;
+         (1.0 + solves) * handing_over;
 }
 
 /// The least that KLU and UMFPACK could take for a matrix of a column model, whose factors hold six to eight times its entries

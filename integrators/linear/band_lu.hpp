@@ -10,8 +10,8 @@ namespace talus::linear {
 /// LU of a square band by panels of columns, with row exchanges over a short way. It calls no library, so that two threads may
 /// factor two matrices at once, and uses AVX2 and FMA where the processor has them.
 ///
-/// A row is exchanged where one of at most `window` rows below has an entry in its column that is more than twice as large. L is kept
-/// as it stands after all exchanges of its panel.
+/// A row is exchanged where one of at most `window` rows below has an entry in its column that is more than twice as large.
+/// L is kept as it stands after all exchanges of its panel.
 template <class Real>
 class BandLu {
  public:
@@ -20,7 +20,7 @@ class BandLu {
   static constexpr double most_growth = 1e3;
 
   BandLu() = default;
-  /// n rows with `width` diagonals on either side. A panel begins at row n - `tail`, at which solve() may start.
+  /// n rows with `width` diagonals on either side. A panel begins at row n - `tail`, at which solve_tail() may start.
   BandLu(Index n, Index width, Index window, Index tail);
 
   [[nodiscard]] Index n() const { return n_; }
