@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/sums.hpp"
 
 namespace talus::bridge {
 namespace {
@@ -47,6 +48,7 @@ Outcome Equations::residual(double t, std::span<const double> y, std::span<const
     try {
       system_.residual(t, y, yp, r);
     } catch (const core::InadmissibleState& state) { return refuse(t, state.what()); }
+    if (core::all_finite(r)) return Outcome::ok;
     for (std::size_t i = 0; i < r.size(); ++i) {
       if (!std::isfinite(r[i])) {
         return refuse(t, "the residual is not finite in the row of " + system_.describe(static_cast<core::Index>(i)));

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "bridge/vector_operations.hpp"
+
 namespace talus::bridge {
 
 inline std::span<double> view(N_Vector v) { return {NV_DATA_S(v), static_cast<std::size_t>(NV_LENGTH_S(v))}; }
@@ -15,6 +17,7 @@ class Vector {
  public:
   Vector(sunindextype n, SUNContext context) : handle_(N_VNew_Serial(n, context)) {
     if (handle_ == nullptr) throw std::bad_alloc();
+    use_own_operations(handle_);
     N_VConst(0.0, handle_);
   }
   Vector(const Vector&) = delete;

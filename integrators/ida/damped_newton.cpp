@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sums.hpp"
+
 namespace talus::ida {
 namespace {
 
@@ -110,7 +112,9 @@ DampedNewton::Status DampedNewton::correct(NewtonProblem& problem) {
 /// dx = -J^-1 g and its norm.
 DampedNewton::Status DampedNewton::correct(NewtonProblem& problem, std::span<const double> g, std::vector<double>& dx,
                                            double& norm) {
-  std::transform(g.begin(), g.end(), dx.begin(), [](double v) { return -v; });
+  core::in_halves(g.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) dx[i] = -g[i];
+  });
   if (const auto outcome = problem.solve(dx); outcome != Outcome::ok) return failure(outcome);
   norm = std::sqrt(problem.product(dx, dx));
   return std::isfinite(norm) ? Status::converged : Status::diverged;
@@ -129,7 +133,9 @@ DampedNewton::Status DampedNewton::advance(NewtonProblem& problem, std::span<dou
   auto last = Status::diverged;
   for (int halvings = 0; halvings <= options_.max_halvings;) {
     ++iterations_;
-    for (std::size_t i = 0; i < x.size(); ++i) trial_[i] = x[i] + lambda * step_[i];
+    core::in_halves(x.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) trial_[i] = x[i] + lambda * step_[i];
+    });
     const auto outcome = problem.residual(trial_, trial_g_);
     if (outcome == Outcome::broken) return Status::broken;
     if (outcome == Outcome::ok) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/sums.hpp"
+
 namespace talus::ida {
 namespace {
 
@@ -19,10 +21,12 @@ void Secants::add(double lambda, std::span<const double> step, std::span<const d
   auto& pair = pairs_.front();
   pair.step.resize(step.size());
   pair.change.resize(step.size());
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    pair.step[i] = lambda * step[i];
-    pair.change[i] = (after[i] - before[i]) / scale_;
-  }
+  core::in_halves(step.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pair.step[i] = lambda * step[i];
+      pair.change[i] = (after[i] - before[i]) / scale_;
+    }
+  });
   pair.products.assign(depth_, unknown);
 }
 
@@ -68,11 +72,18 @@ std::vector<double> Secants::nearest(const Product& product, std::span<const dou
 
 void Secants::accelerate(const Product& product, std::span<const double> dx, std::span<double> step) {
   const auto gamma = nearest(product, dx);
-  std::copy(dx.begin(), dx.end(), step.begin());
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (gamma[k] == 0.0) continue;
-    for (std::size_t i = 0; i < dx.size(); ++i) step[i] -= gamma[k] * (pairs_[k].step[i] + pairs_[k].change[i]);
-  }
+  constexpr std::size_t block = 1024;  // stays in the nearest cache while one secant after the other is taken from it
+  core::in_halves(dx.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t from = begin; from < end; from += block) {
+      const std::size_t to = std::min(from + block, end);
+      std::copy(dx.begin() + from, dx.begin() + to, step.begin() + from);
+      for (std::size_t k = 0; k < pairs_.size(); ++k) {
+        if (gamma[k] == 0.0) continue;
+        const double *taken = pairs_[k].step.data(), *change = pairs_[k].change.data();
+        for (std::size_t i = from; i < to; ++i) step[i] -= gamma[k] * (taken[i] + change[i]);
+      }
+    }
+  });
 }
 
 }  // namespace talus::ida

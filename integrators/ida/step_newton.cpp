@@ -3,10 +3,10 @@
 #include <ida/ida.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <new>
-#include <numeric>
+
+#include "core/sums.hpp"
 
 namespace talus::ida {
 namespace {
@@ -21,16 +21,10 @@ SUNNonlinearSolver StepNewton::make_handle(StepNewton& self, SUNContext context)
   handle->content = &self;
   auto& ops = *handle->ops;
   ops.gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
-  ops.setsysfn = [](SUNNonlinearSolver h, SUNNonlinSolSysFn function) {
-    self_of(h).system_function_ = function;
-    return SUN_NLS_SUCCESS;
-  };
+  ops.setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) { return SUN_NLS_SUCCESS; };  // see residual()
   // The weighted norm and the convergence test are our own, and IDA has no linear solver to offer.
   ops.solve = [](SUNNonlinearSolver h, N_Vector, N_Vector correction, N_Vector weights, realtype tolerance, booleantype,
-                 void* memory) {
-    self_of(h).step_memory_ = memory;
-    return self_of(h).solve_step(correction, weights, tolerance);
-  };
+                 void*) { return self_of(h).solve_step(correction, weights, tolerance); };
   ops.getnumiters = [](SUNNonlinearSolver h, long* n) {
     *n = self_of(h).newton_.iterations();
     return SUN_NLS_SUCCESS;
@@ -51,8 +45,6 @@ StepNewton::StepNewton(Equations& equations, const NewtonOptions& options, void*
       newton_(options),
       ida_memory_(ida_memory),
       handle_(make_handle(*this, context)),
-      x_(equations.size(), context),
-      g_(equations.size(), context),
       y_(equations.size()),
       yp_(equations.size()),
       rounding_(equations.system().layout().fields.size(), 0.0) {
@@ -80,20 +72,25 @@ int StepNewton::solve_step(N_Vector correction, N_Vector weights, double toleran
   return IDA_RES_FAIL;
 }
 
+/// The state that a correction x of the prediction means.
+void StepNewton::apply(std::span<const double> x) {
+  const double *y = view(predicted_y_).data(), *yp = view(predicted_yp_).data();
+  core::in_halves(x.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      y_[i] = y[i] + x[i];
+      yp_[i] = yp[i] + c_j_ * x[i];
+    }
+  });
+}
+
+/// IDA's own function would do the same, and keep copies that nobody reads.
 Outcome StepNewton::residual(std::span<const double> x, std::span<double> g) {
-  std::copy(x.begin(), x.end(), x_.span().begin());
-  const int flag = system_function_(x_.handle(), g_.handle(), step_memory_);
-  if (flag != 0) return flag > 0 ? Outcome::refused : Outcome::broken;
-  std::copy(g_.span().begin(), g_.span().end(), g.begin());
-  return Outcome::ok;
+  apply(x);
+  return equations_.residual(t_, y_, yp_, g);
 }
 
 Outcome StepNewton::refresh(std::span<const double> x) {
-  const auto y = view(predicted_y_), yp = view(predicted_yp_);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    y_[i] = y[i] + x[i];
-    yp_[i] = yp[i] + c_j_ * x[i];
-  }
+  apply(x);
   const auto outcome = equations_.refresh(t_, y_, yp_, c_j_);
   if (outcome == Outcome::ok) estimate_rounding();
   return outcome;
@@ -114,22 +111,17 @@ void StepNewton::estimate_rounding() {
 
 Outcome StepNewton::solve(std::span<double> b) {
   const auto outcome = equations_.solve(b);
-  if (const double factor = scale(); factor != 1.0) {
-    for (double& v : b) v *= factor;
-  }
+  if (const double factor = scale(); factor != 1.0)
+    core::in_halves(b.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) b[i] *= factor;
+    });
   return outcome;
 }
 
 double StepNewton::product(std::span<const double> a, std::span<const double> b) const {
   const auto w = view(weights_);
-  // Eight sums side by side: one alone waits for each addition. Their order is fixed, so are the bits.
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> sums{};
-  std::size_t i = 0;
-  for (; i + lanes <= a.size(); i += lanes)
-    for (std::size_t l = 0; l < lanes; ++l) sums[l] += (a[i + l] * w[i + l]) * (b[i + l] * w[i + l]);
-  for (; i < a.size(); ++i) sums[0] += (a[i] * w[i]) * (b[i] * w[i]);
-  return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(a.size());
+  const double sum = core::sum_in_halves(a.size(), [=](std::size_t i) { return (a[i] * w[i]) * (b[i] * w[i]); });
+  return sum / static_cast<double>(a.size());
 }
 
 double StepNewton::largest(std::span<const double> v) const {

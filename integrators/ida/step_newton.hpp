@@ -41,6 +41,7 @@ class StepNewton final : private NewtonProblem {
   /// Groups are the fields.
   [[nodiscard]] double share_left(std::span<const double> g, std::span<const double> g_start) const override;
 
+  void apply(std::span<const double> x);
   void estimate_rounding();
   int solve_step(N_Vector correction, N_Vector weights, double tolerance);
   static SUNNonlinearSolver make_handle(StepNewton& self, SUNContext context);
@@ -49,9 +50,6 @@ class StepNewton final : private NewtonProblem {
   DampedNewton newton_;
   void* ida_memory_;
   SUNNonlinearSolver handle_;
-  SUNNonlinSolSysFn system_function_ = nullptr;
-  void* step_memory_ = nullptr;  // what IDA wants back in system_function_
-  Vector x_, g_;                 // wrappings for system_function_
   N_Vector weights_ = nullptr;
   double t_ = 0.0, c_j_ = 0.0;
   N_Vector predicted_y_ = nullptr, predicted_yp_ = nullptr;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sums.hpp"
+
 namespace talus::linear {
 namespace {
 
@@ -36,7 +38,7 @@ void CheckedSolver::solve(std::span<double> b) {
   std::copy(b.begin(), b.end(), b_.begin());
   substitute(b);
   if (!first_ && coarse()) {
-    if (!std::ranges::all_of(b, [](double x) { return std::isfinite(x); })) throw not_finite();
+    if (!core::all_finite(b)) throw not_finite();
     return;
   }
   double size = residual(b_, b);

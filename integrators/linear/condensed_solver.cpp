@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/both.hpp"
+#include "core/sums.hpp"
 
 namespace talus::linear {
 namespace {
@@ -137,7 +138,15 @@ void CondensedSolver::gather() {
   for (const Entry& e : column_entries_) column_values_.push_back(values()[e.position] * row_scale()[kept_[e.number]]);
   pivots_.clear();
   for (const Link& link : links_)
-    pivots_.push_back({values()[link.diagonal], link.before >= 0 ? values()[link.before] : 0.0});
+    pivots_.push_back({1.0 / values()[link.diagonal], link.before >= 0 ? values()[link.before] : 0.0});
+}
+
+template <class Part>
+void CondensedSolver::in_parts(const Part& part) const {
+  const std::size_t right = links_.size() - right_links_;
+  core::both(
+      left_links_ > 0, [&] { part(0, left_links_); }, [&] { part(right, links_.size()); });
+  part(left_links_, right);
 }
 
 template <class Real>
@@ -149,11 +158,7 @@ void CondensedSolver::condense(TwoEndedBand<Real>& band) {
   gather();
 
   std::vector<Real> seen(kept_.size(), Real(0));
-  const std::size_t right = links_.size() - right_links_;
-  core::both(
-      left_links_ > 0, [&] { condense_links(band, 0, left_links_, seen); },
-      [&] { condense_links(band, right, links_.size(), seen); });
-  condense_links(band, left_links_, right, seen);
+  in_parts([&](std::size_t first, std::size_t last) { condense_links(band, first, last, seen); });
   band.factor();
 }
 
@@ -186,34 +191,47 @@ void CondensedSolver::condense_links(TwoEndedBand<Real>& band, std::size_t first
   if (most >= least) std::fill(seen.begin() + least, seen.begin() + most + 1, Real(0));
 }
 
-void CondensedSolver::substitute(std::span<double> b) {
-  for (std::size_t k = 0; k < kept_.size(); ++k) scratch_[k] = b[kept_[k]] * row_scale()[kept_[k]];
+void CondensedSolver::take_out(std::size_t first, std::size_t last, std::span<const double> b) {
+  if (first == last) return;
   double below = 0.0;
-  auto of_entry = column_values_.begin();
-  auto pivot = pivots_.begin();
-  for (const Link& link : links_) {  // y = E^-1 b, then b - C y
-    below = (b[link.unknown] - pivot->before * below) / pivot->diagonal;
-    ++pivot;
+  auto of_entry = column_values_.begin() + (links_[first].column.data() - column_entries_.data());
+  for (std::size_t l = first; l < last; ++l) {
+    const Link& link = links_[l];
+    below = (b[link.unknown] - pivots_[l].before * below) * pivots_[l].inverse;
     for (const Entry& e : link.column) scratch_[e.number] -= *of_entry++ * below;
   }
+}
+
+void CondensedSolver::put_back(std::size_t first, std::size_t last, std::span<double> b) const {
+  if (first == last) return;
+  double below = 0.0;
+  auto of_entry = row_values_.begin() + (links_[first].row.data() - row_entries_.data());
+  for (std::size_t l = first; l < last; ++l) {
+    const Link& link = links_[l];
+    double value = b[link.unknown];
+    for (const Entry& e : link.row) value -= *of_entry++ * scratch_[e.number];
+    below = (value - pivots_[l].before * below) * pivots_[l].inverse;
+    b[link.unknown] = below;
+  }
+}
+
+void CondensedSolver::substitute(std::span<double> b) {
+  const auto of_kept = [this](const auto& act) {
+    core::in_halves(kept_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) act(k);
+    });
+  };
+  of_kept([&](std::size_t k) { scratch_[k] = b[kept_[k]] * row_scale()[kept_[k]]; });
+  in_parts([&](std::size_t first, std::size_t last) { take_out(first, last, b); });
   if (in_single_) {
-    std::ranges::transform(scratch_, scratch_single_.begin(), [](double x) { return static_cast<float>(x); });
+    of_kept([&](std::size_t k) { scratch_single_[k] = static_cast<float>(scratch_[k]); });
     single_.solve(scratch_single_);
-    std::ranges::copy(scratch_single_, scratch_.begin());
+    of_kept([&](std::size_t k) { scratch_[k] = scratch_single_[k]; });
   } else {
     double_.solve(scratch_);
   }
-  below = 0.0;
-  of_entry = row_values_.begin();
-  pivot = pivots_.begin();
-  for (const Link& link : links_) {  // E^-1 (b - B x)
-    double value = b[link.unknown] - pivot->before * below;
-    for (const Entry& e : link.row) value -= *of_entry++ * scratch_[e.number];
-    below = value / pivot->diagonal;
-    ++pivot;
-    b[link.unknown] = below;
-  }
-  for (std::size_t k = 0; k < kept_.size(); ++k) b[kept_[k]] = scratch_[k];
+  in_parts([&](std::size_t first, std::size_t last) { put_back(first, last, b); });
+  of_kept([&](std::size_t k) { b[kept_[k]] = scratch_[k]; });
 }
 
 std::string CondensedSolver::describe() const {

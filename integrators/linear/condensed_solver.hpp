@@ -65,7 +65,7 @@ class CondensedSolver final : public CheckedSolver {
   };
   /// Of a link's row, with the values at hand.
   struct Pivot {
-    double diagonal, before;  ///< before: 0 at the foot of a chain
+    double inverse, before;  ///< 1/diagonal; before: 0 at the foot of a chain
   };
   void gather();
   /// S = D - C E^-1 B of [E B; C D], E the chains, into `band`.
@@ -75,6 +75,12 @@ class CondensedSolver final : public CheckedSolver {
   template <class Real>
   void condense_links(TwoEndedBand<Real>& band, std::size_t first, std::size_t last, std::vector<Real>& seen) const;
   void find_halves();
+  /// The part of links [first, last) in a substitution: y = E^-1 b and kept rows less C y; x = E^-1 (b - B kept).
+  void take_out(std::size_t first, std::size_t last, std::span<const double> b);
+  void put_back(std::size_t first, std::size_t last, std::span<double> b) const;
+  /// Calls part(first, last) for the links of both ends at once, then for those between.
+  template <class Part>
+  void in_parts(const Part& part) const;
   /// Calls visit(i, j) for each entry of S, some more than once.
   template <class Visit>
   void for_each_kept_entry(const Visit& visit) const;

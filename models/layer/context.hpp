@@ -62,7 +62,7 @@ struct Geometric<core::Dual<N>> {
 
 /// Heights and slopes of the grid as a kernel sees them, over neighbouring columns numbered 0, 1, ... from `first` on, whose
 /// thicknesses are the kernel's last inputs, from `slot` on. "Face c" is the face on the left of column c. Every quantity
-/// carries its dependence on the thicknesses and their rates.
+/// carries its dependence on the thicknesses and their rates. A Pack is of layers one above the other, from the one that is named.
 template <class S, int N>
 class Heights {
   using Geometric = detail::Geometric<S>;
@@ -74,7 +74,7 @@ class Heights {
     static_assert(N >= 1);
     for (int c = 0; slot + c < N; ++c) {
       start_[c] = context.at(first + c, 0);
-      if constexpr (std::is_same_v<G, double>) slope_start_[c] = context.slope_at(first + c, 0);
+      if constexpr (core::is_plain<G>) slope_start_[c] = context.slope_at(first + c, 0);
       H_[c] = Geometric::narrow(in.y[slot + c], slot);
       rate_[c] = Geometric::narrow(in.rate[slot + c], slot);
     }
@@ -124,14 +124,17 @@ class Heights {
   [[nodiscard]] double base_slope() const { return c_.parameters->box.base_slope; }
   [[nodiscard]] G z_at(int c, int k) const {
     const auto a = start_[c] + k;
-    return core::lift(c_.z[a], c_.dz[a], H_[c]);
+    if constexpr (std::is_same_v<G, core::Pack>) return core::Pack::at(&c_.z[a]);
+    else return core::lift(c_.z[a], c_.dz[a], H_[c]);
   }
   [[nodiscard]] G rate_at(int c, int k) const {
     const auto a = start_[c] + k;
-    return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
+    if constexpr (std::is_same_v<G, core::Pack>) return core::Pack::at(&c_.dz[a]) * rate_[c];
+    else return core::lift(c_.dz[a], c_.d2z[a], H_[c]) * rate_[c];
   }
   [[nodiscard]] G slope_at(int c, int k) const {
-    if constexpr (std::is_same_v<G, double>) return c_.slope[slope_start_[c] + k];
+    if constexpr (std::is_same_v<G, core::Pack>) return core::Pack::at(&c_.slope[slope_start_[c] + k]);
+    else if constexpr (core::is_plain<G>) return c_.slope[slope_start_[c] + k];
     else return (z_at(c + 1, k) - z_at(c - 1, k)) * (0.5 / dx_) + base_slope();
   }
   [[nodiscard]] G slope_rate_at(int c, int k) const { return (rate_at(c + 1, k) - rate_at(c - 1, k)) * (0.5 / dx_); }

@@ -2,27 +2,36 @@
 
 #include <array>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "core/dual.hpp"
+#include "core/pack.hpp"
 #include "core/trace.hpp"
 
 /// What a scalar-generic kernel may use beside arithmetic and sqrt, exp, log, tanh, pow. Kernels must not branch on values
 /// with `if`, or the traced pattern could miss an entry: they call `select`.
 namespace talus::core {
 
+/// Whether a scalar carries numbers and nothing besides.
+template <class S>
+inline constexpr bool is_plain = std::is_same_v<S, double> || std::is_same_v<S, Pack>;
+
 inline double value_of(double x) { return x; }
 template <int N>
 double value_of(const Dual<N>& x) {
   return x.value;
 }
+/// Of each lane.
+inline Pack value_of(const Pack& x) { return x; }
 /// A tracer has no value: any finite number does.
 template <int N>
 double value_of(const Trace<N>&) {
   return 1.0;
 }
 
-/// `yes()` where x > threshold, else `no()`. Only the branch taken is evaluated; a Trace evaluates and unites both.
+/// `yes()` where x > threshold, else `no()`. Only the branch taken is evaluated; a Trace evaluates and unites both, a Pack whose
+/// lanes differ takes each lane's from both: the other branch may then raise floating-point flags, in lanes that nobody reads.
 template <class Yes, class No>
 double select_above(double x, double threshold, Yes&& yes, No&& no) {
   return x > threshold ? yes() : no();
@@ -31,6 +40,14 @@ template <int N, class Yes, class No>
 Dual<N> select_above(const Dual<N>& x, double threshold, Yes&& yes, No&& no) {
   return x.value > threshold ? Dual<N>(yes()) : Dual<N>(no());
 }
+template <class Yes, class No>
+[[gnu::always_inline]] inline Pack select_above(const Pack& x, double threshold, Yes&& yes, No&& no) {
+  const auto above = x.vector() > Pack(threshold).vector();  // -1 or 0 a lane
+  const auto n_above = -(above[0] + above[1] + above[2] + above[3]);
+  if (n_above == Pack::lanes) return Pack(yes());
+  if (n_above == 0) return Pack(no());
+  return Pack(Pack::Vector(above ? Pack(yes()).vector() : Pack(no()).vector()));
+}
 template <int N, class Yes, class No>
 Trace<N> select_above(const Trace<N>& x, double, Yes&& yes, No&& no) {
   return x + Trace<N>(yes()) + Trace<N>(no());
@@ -38,6 +55,7 @@ Trace<N> select_above(const Trace<N>& x, double, Yes&& yes, No&& no) {
 
 /// A smooth function of one scalar whose value and derivative were tabulated beforehand: f(x) = value, f'(x) = derivative.
 inline double lift(double value, double /*derivative*/, double /*x*/) { return value; }
+inline Pack lift(double value, double /*derivative*/, const Pack& /*x*/) { return value; }
 template <int N>
 Dual<N> lift(double value, double derivative, const Dual<N>& x) {
   return x.chain(value, derivative);

@@ -51,15 +51,13 @@ class Operator {
   }
 
  private:
-  static constexpr int n_parts = 4;
-
   [[nodiscard]] bool disjoint(int first, int second) const {
     std::vector<bool> used(pattern_.n(), false);
     std::vector<Index> rows;
-    for (const auto& term : terms_) term->append_rows({first, n_parts}, rows);
+    for (const auto& term : terms_) term->append_rows({first}, rows);
     for (const Index row : rows) used[row] = true;
     rows.clear();
-    for (const auto& term : terms_) term->append_rows({second, n_parts}, rows);
+    for (const auto& term : terms_) term->append_rows({second}, rows);
     return std::none_of(rows.begin(), rows.end(), [&](Index row) { return used[row]; });
   }
 
@@ -67,13 +65,7 @@ class Operator {
   void in_parts(const Sum& sum) const {
     for (const int first : {0, 1}) {
       core::both(
-          in_threads_,
-          [&] {
-            sum(Part{first, n_parts});
-          },
-          [&] {
-            sum(Part{first + 2, n_parts});
-          });
+          in_threads_, [&] { sum(Part{first}); }, [&] { sum(Part{first + 2}); });
     }
   }
 

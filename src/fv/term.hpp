@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fenv.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -15,9 +17,10 @@
 
 namespace talus::fv {
 
-/// One of `of` parts of a term's places, in their order.
+/// One of the parts of a term's places, in their order.
 struct Part {
-  int number, of;
+  static constexpr int of = 4;
+  int number;
   [[nodiscard]] std::size_t begin(std::size_t n) const { return n * number / of; }
   [[nodiscard]] std::size_t end(std::size_t n) const { return n * (number + 1) / of; }
 };
@@ -33,6 +36,11 @@ struct Part {
 ///
 /// evaluate computes a flux or source once and writes it, with its signs, to every row it belongs to. The same index may
 /// stand in several slots of `in` or `out`. `Context` is what the model prepares for a state (time, geometry).
+/// A kernel may also have
+///
+///     Index alike(Index place) const;      // how many places from this one on take the same way through the code, at least 1
+///
+/// and is then evaluated with core::Pack at four of them at once, for which `place` is the first.
 template <class Context>
 class Term {
  public:
@@ -41,7 +49,7 @@ class Term {
   virtual void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const = 0;
   /// Prepares the positions of the Jacobian entries in `pattern`; called once.
   virtual void bind(const Context& context, const core::SparsePattern& pattern) = 0;
-  /// Adds the places of one of n_parts equal parts to the residual.
+  /// Adds the places of a part to the residual.
   virtual void add_residual(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
                             std::span<double> r) const = 0;
   /// Adds dF/dy + c_j dF/dy' of a part to `values`, in the order of the bound pattern.
@@ -53,8 +61,13 @@ class Term {
 
 namespace detail {
 
+/// Where a floating-point exception is to be trapped, lanes that nobody reads would trap, too.
+inline bool packs_allowed() { return fegetexcept() == 0; }
+
 template <class Kernel, class Context>
 class KernelTerm final : public Term<Context> {
+  static constexpr int lanes = core::Pack::lanes;
+  static constexpr bool in_packs = requires(const Kernel& kernel, Index place) { kernel.alike(place); };
   static constexpr int n_in = Kernel::n_in;
   static constexpr int n_out = Kernel::n_out;
   using Dual = core::Dual<n_in>;
@@ -69,6 +82,7 @@ class KernelTerm final : public Term<Context> {
       std::ranges::transform(in, in_[place].begin(), number);
       std::ranges::transform(out, out_[place].begin(), number);
     }
+    if constexpr (in_packs) group();
   }
 
   void append_pattern(const Context& context, std::vector<std::pair<Index, Index>>& entries) const override {
@@ -96,18 +110,15 @@ class KernelTerm final : public Term<Context> {
 
   void add_residual(const Context& context, Part part, std::span<const double> y, std::span<const double> yp,
                     std::span<double> r) const override {
-    Inputs<double, n_in> inputs{};
-    std::array<double, n_out> out{};
-    for (std::size_t place = part.begin(in_.size()); place < part.end(in_.size()); ++place) {
-      for (int i = 0; i < n_in; ++i) {
-        const Index index = in_[place][i];
-        inputs.y[i] = read(y, index);
-        if constexpr (Kernel::uses_rate) inputs.rate[i] = read(yp, index);
+    if (!in_packs || !packs_allowed())
+      return add_places(context, part.begin(in_.size()), part.end(in_.size()), y, yp, r);
+    for (std::size_t g = group_start_[part.number]; g < group_start_[part.number + 1]; ++g) {
+      const Group& group = groups_[g];
+      if (!group.packed) {
+        add_places(context, group.begin, group.end, y, yp, r);
+      } else if constexpr (in_packs) {
+        add_packs(context, group, y.data(), yp.data(), r.data());
       }
-      out.fill(0.0);
-      kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
-      for (int o = 0; o < n_out; ++o)
-        if (out_[place][o] >= 0) r[out_[place][o]] += out[o];
     }
   }
 
@@ -134,6 +145,23 @@ class KernelTerm final : public Term<Context> {
   }
 
  private:
+  void add_places(const Context& context, std::size_t begin, std::size_t end, std::span<const double> y,
+                  std::span<const double> yp, std::span<double> r) const {
+    Inputs<double, n_in> inputs{};
+    std::array<double, n_out> out{};
+    for (std::size_t place = begin; place < end; ++place) {
+      for (int i = 0; i < n_in; ++i) {
+        const Index index = in_[place][i];
+        inputs.y[i] = read(y, index);
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = read(yp, index);
+      }
+      out.fill(0.0);
+      kernel_.evaluate(context, static_cast<Index>(place), inputs, out);
+      for (int o = 0; o < n_out; ++o)
+        if (out_[place][o] >= 0) r[out_[place][o]] += out[o];
+    }
+  }
+
   struct Entry {
     std::uint8_t out, in;
   };
@@ -142,6 +170,56 @@ class KernelTerm final : public Term<Context> {
   static Number number(Index index) {
     if (index > std::numeric_limits<Number>::max()) throw std::length_error("make_term: too many unknowns");
     return static_cast<Number>(index);
+  }
+
+  /// Places that follow each other; if packed, they are alike, all their inputs are there, and they fill a pack.
+  struct Group {
+    Number begin, end;
+    bool packed;
+  };
+
+  void group() requires in_packs {
+    for (int number = 0; number < Part::of; ++number) {
+      const Part part{number};
+      group_start_.push_back(groups_.size());
+      const auto end = static_cast<Index>(part.end(in_.size()));
+      for (Index place = static_cast<Index>(part.begin(in_.size())), next; place < end; place = next) {
+        const Index end_of_alike = std::min(place + kernel_.alike(place), end);
+        next = place;
+        while (next < end_of_alike && all_there(next)) ++next;
+        const bool packed = next - place >= lanes;
+        next = std::max(next, place + 1);
+        const bool goes_on = !packed && groups_.size() > group_start_.back() && !groups_.back().packed;
+        if (goes_on) groups_.back().end = this->number(next);
+        else groups_.push_back({this->number(place), this->number(next), packed});
+      }
+    }
+    group_start_.push_back(groups_.size());
+  }
+
+  [[nodiscard]] bool all_there(Index place) const {
+    return std::ranges::all_of(in_[place], [](Number index) { return index >= 0; });
+  }
+
+  void add_packs(const Context& context, const Group& group, const double* y, const double* yp, double* r) const {
+    Inputs<core::Pack, n_in> inputs{};
+    std::array<core::Pack, n_out> out;
+    for (Number at = group.begin; at < group.end; at += lanes) {
+      const Number first = std::min(at, group.end - lanes);  // the last pack may take places a second time
+      for (int i = 0; i < n_in; ++i) {
+        const auto gathered = [&](const double* from) {
+          return core::Pack(from[in_[first][i]], from[in_[first + 1][i]], from[in_[first + 2][i]],
+                            from[in_[first + 3][i]]);
+        };
+        inputs.y[i] = gathered(y);
+        if constexpr (Kernel::uses_rate) inputs.rate[i] = gathered(yp);
+      }
+      out.fill(core::Pack(0.0));
+      kernel_.evaluate(context, first, inputs, out);
+      for (int lane = at - first; lane < lanes; ++lane)
+        for (int o = 0; o < n_out; ++o)
+          if (const Number row = out_[first + lane][o]; row >= 0) r[row] += out[o].lane[lane];
+    }
   }
 
   /// Calls visit(o, i) for each output slot o that depends on input slot i at this place.
@@ -172,6 +250,8 @@ class KernelTerm final : public Term<Context> {
   std::vector<std::size_t> entry_start_;
   std::vector<std::int32_t> position_;
   std::vector<Entry> entry_;
+  std::vector<Group> groups_;
+  std::vector<std::size_t> group_start_;  // of each part
 };
 
 }  // namespace detail

@@ -1,6 +1,9 @@
+#include <fenv.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -53,6 +56,27 @@ TEST_P(EveryModel, JacobianEqualsCentralDifferencesColumnByColumn) {
     }
   }
   EXPECT_GE(n_tried, 6) << "a model that refuses most variants has hardly been tested";
+}
+
+TEST_P(EveryModel, PlacesInPacksGiveTheBitsOfPlacesOneByOne) {
+  for (const auto& settings : variants) {
+    if (!GetParam().represents(settings)) continue;
+    const auto simulation = build(GetParam().read(9, 7, settings));
+    const auto& system = *simulation.system;
+    std::vector<double> y, yp;
+    for (const unsigned seed : {1u, 2u}) {
+      tests::RandomState{}.fill(system, seed, y, yp);
+      std::vector<double> in_packs(y.size()), one_by_one(y.size());
+      system.residual(0.1, y, yp, in_packs);
+      ASSERT_EQ(fegetexcept(), 0);
+      feenableexcept(FE_DIVBYZERO);  // what asks for places one by one
+      system.residual(0.1, y, yp, one_by_one);
+      fedisableexcept(FE_DIVBYZERO);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(in_packs[i]), std::bit_cast<std::uint64_t>(one_by_one[i]))
+            << settings[0] << ", seed " << seed << ": " << system.describe(static_cast<core::Index>(i));
+    }
+  }
 }
 
 /// What a sweep of states must have met, or the test above it says little.

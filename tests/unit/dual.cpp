@@ -4,6 +4,7 @@
 
 namespace {
 using talus::core::Dual;
+using talus::core::Pack;
 using talus::core::Trace;
 
 template <class S>
@@ -23,6 +24,22 @@ TEST(Dual, AgreesWithCentralDifferences) {
   EXPECT_DOUBLE_EQ(r.value, sample(a, b));
   EXPECT_NEAR(r.slope[0], (sample(a + h, b) - sample(a - h, b)) / (2 * h), 1e-8);
   EXPECT_NEAR(r.slope[1], (sample(a, b + h) - sample(a, b - h)) / (2 * h), 1e-8);
+}
+
+TEST(Pack, GivesEachLaneTheBitsOfADouble) {
+  const double a[]{0.7, 2.0, 1e-3, 40.0}, b[]{1.3, 0.01, 5.0, 3.0};
+  const Pack r = sample(Pack::at(a), Pack::at(b));
+  for (int lane = 0; lane < Pack::lanes; ++lane) EXPECT_EQ(r.lane[lane], sample(a[lane], b[lane]));
+}
+
+TEST(Pack, TakesEachLaneFromItsOwnBranch) {
+  const auto above = [](const Pack& x) {
+    return talus::core::select_above(
+        x, 1.0, [&] { return Pack(x * 10.0); }, [] { return Pack(-1.0); });
+  };
+  EXPECT_EQ(above({2.0, 3.0, 4.0, 5.0}).lane, (std::array{20.0, 30.0, 40.0, 50.0}));
+  EXPECT_EQ(above({0.0, 1.0, -4.0, 0.5}).lane, (std::array{-1.0, -1.0, -1.0, -1.0}));
+  EXPECT_EQ(above({0.0, 3.0, 1.0, 5.0}).lane, (std::array{-1.0, 30.0, -1.0, 50.0}));
 }
 
 TEST(Trace, UnitesBothBranches) {

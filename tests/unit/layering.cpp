@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "grid/layering.hpp"
@@ -52,6 +53,18 @@ TEST(Layering, ClusteredIsUniformWhereThinAndFineAtTheSurfaceOfADeepColumn) {
   const auto thin = at(layering, 1e-6);
   for (int k = 0; k <= 10; ++k) EXPECT_NEAR(thin.z[k], k * 1e-7, 1e-10);
   EXPECT_LT(layering.top_layer(0.15), 0.1 * 0.15 / 10);
+}
+
+TEST(Layering, ClusteredDepthsAreThoseOfTheirFormula) {
+  const double H0 = 0.003;
+  for (const int n : {4, 32, 1000})
+    for (const double H : {1e-7, 0.01, 3.0}) {
+      const auto h = at(Layering(n, H0), H);
+      for (int k = 1; k <= n; ++k) {
+        const double s = 1.0 - static_cast<double>(k) / n;
+        EXPECT_NEAR(h.z[k], H - H0 * std::expm1(s * std::log1p(H / H0)), 2e-16 * n * H) << n << ' ' << H << ' ' << k;
+      }
+    }
 }
 
 TEST(Layering, UniformIsUniformAtAnyDepth) {

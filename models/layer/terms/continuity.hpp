@@ -24,6 +24,7 @@ struct FaceFlux : Kernel {
            left ? unknowns.surface(f - 1) : -1,       right ? unknowns.surface(f) : -1,
            left_end(f) ? unknowns.mass_left() : -1,   right_end(f) ? unknowns.mass_right() : -1};
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
@@ -51,6 +52,7 @@ struct InterfaceFlux : Kernel {
     in = {unknowns.omega(i, k)};
     out = {unknowns.continuity(i, k - 1), unknowns.continuity(i, k)};
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context&, Index, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     out[0] += in.y[0];

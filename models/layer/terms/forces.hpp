@@ -24,6 +24,7 @@ struct WallFriction : Kernel {
           y.H(f + 1)};
     connect_momentum(y, f, k, out, 0);
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
@@ -55,6 +56,7 @@ struct PressureAlong : Kernel {
           unknowns.H(f - 1), unknowns.H(f)};
     out = {unknowns.momentum_u(f, k)};
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
@@ -75,6 +77,7 @@ struct PressureAcross : Kernel {
     in = {unknowns.p(i, k - 1), unknowns.p(i, k), unknowns.H(i)};
     out = {unknowns.momentum_w(i, k)};
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers - 1); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place) + 1;

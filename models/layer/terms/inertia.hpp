@@ -9,8 +9,8 @@
 namespace talus::layer {
 
 /// Smooth upwind value: the giver's where |m| is well above `scale`, the mean where m is zero.
-template <class S>
-S upwind(const S& m, double scale, const S& behind, const S& ahead) {
+template <class S, class Scale>
+S upwind(const S& m, const Scale& scale, const S& behind, const S& ahead) {
   using std::sqrt;
   using core::sqrt;
   const S sign = m / sqrt(m * m + scale * scale);
@@ -31,6 +31,7 @@ struct Acceleration : Kernel {
           y.H(f),    y.H(f + 1)};
     connect_momentum(y, f, k, out, 0);
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
@@ -64,6 +65,7 @@ struct ConvectionAlong : Kernel {
     connect_momentum(y, i, k, out, 0);
     connect_momentum(y, i + 1, k, out, 5);
   }
+  [[nodiscard]] Index alike(Index place) const { return alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int i = across(place), k = layer(place);
@@ -77,7 +79,7 @@ struct ConvectionAlong : Kernel {
     std::array<S, 3> omega;
     for (int j = 0; j < 3; ++j) omega[j] = 0.5 * (in.y[omega_ + 2 * j] + in.y[omega_ + 2 * j + 1]);
     const S h = g.h(2, k);
-    const double scale = c.parameters->grains.rho() / columns.dx() * n.film_speed * core::value_of(h);
+    const auto scale = c.parameters->grains.rho() / columns.dx() * n.film_speed * core::value_of(h);
     const S u = n.advection == Advection::upwind ? upwind(m, scale, u_left, u_right) : S(0.5 * (u_left + u_right));
     const S w = u * g.slope_centre(2, k) + omega[1];
     const auto leave = [&](const S& u_P, int face, double sign, int first) {
@@ -110,6 +112,7 @@ struct ConvectionAcross : Kernel {
     connect_momentum(y, f, k - 1, out, 0);
     connect_momentum(y, f, k, out, 5);
   }
+  [[nodiscard]] Index alike(Index place) const { return columns.n_layers - interface_of(place); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = face_of(place), k = interface_of(place);

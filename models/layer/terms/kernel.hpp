@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "fv/term.hpp"
 #include "layer/context.hpp"
 #include "layer/unknowns.hpp"
@@ -16,6 +18,8 @@ struct Kernel {
   [[nodiscard]] Index n_face_layers() const { return Index{columns.n_faces()} * columns.n_layers; }
   [[nodiscard]] int across(Index place) const { return static_cast<int>(place) / columns.n_layers; }
   [[nodiscard]] int layer(Index place) const { return static_cast<int>(place) % columns.n_layers; }
+  /// Places from this one on in layers up to that below `end`; of kernels with one place a layer.
+  [[nodiscard]] Index alike_below(Index place, int end) const { return std::max(end - layer(place), 1); }
   /// Width of the momentum volume about face f, as a share of dx.
   [[nodiscard]] double width(int f) const { return columns.is_end(f) ? 0.5 : 1.0; }
   /// Whether the end faces of this kind leak: an open end, not a wall and not a seam.

@@ -150,6 +150,7 @@ struct CornerStress : Kernel, CornerSlots {
       if (columns.has_column(f)) out[11] = unknowns.momentum_w(f, k);
     }
   }
+  [[nodiscard]] Index alike(Index place) const { return layer(place) == 0 ? 1 : alike_below(place, columns.n_layers); }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const int f = across(place), k = layer(place);
@@ -256,6 +257,9 @@ struct CentreStress : Kernel, CentreSlots {
     const int i = across(place), k = layer(place);
     CentreSlots::connect(unknowns, i, k, in);
     out = {unknowns.momentum_u(i, k), unknowns.momentum_u(i + 1, k)};
+  }
+  [[nodiscard]] Index alike(Index place) const {
+    return layer(place) == 0 ? 1 : alike_below(place, columns.n_layers - 1);
   }
   template <class S>
   void evaluate(const Context& c, Index place, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
