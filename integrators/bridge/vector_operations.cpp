@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scalar.hpp"
 #include "core/sums.hpp"
 
 namespace talus::bridge {
@@ -70,8 +71,8 @@ int linear_sum_array(int n, realtype a, N_Vector* X, realtype b, N_Vector* Y, N_
 
 realtype weighted_norm(N_Vector v, N_Vector w) {
   const double *x = NV_DATA_S(v), *weight = NV_DATA_S(w);
-  const double sum = core::sum_in_halves(length(v), [=](std::size_t i) {
-    const double share = x[i] * weight[i];
+  const double sum = core::sum_in_halves(length(v), [=](auto read, std::size_t i) {
+    const auto share = read(x + i) * read(weight + i);
     return share * share;
   });
   return std::sqrt(sum / static_cast<double>(length(v)));
@@ -79,9 +80,10 @@ realtype weighted_norm(N_Vector v, N_Vector w) {
 
 realtype weighted_norm_where(N_Vector v, N_Vector w, N_Vector where) {
   const double *x = NV_DATA_S(v), *weight = NV_DATA_S(w), *counts = NV_DATA_S(where);
-  const double sum = core::sum_in_halves(length(v), [=](std::size_t i) {
-    const double share = counts[i] > 0.0 ? x[i] * weight[i] : 0.0;
-    return share * share;
+  const double sum = core::sum_in_halves(length(v), [=](auto read, std::size_t i) {
+    const auto share = read(x + i) * read(weight + i);
+    return core::select_above(
+        read(counts + i), 0.0, [&] { return share * share; }, [&] { return 0.0 * share; });
   });
   return std::sqrt(sum / static_cast<double>(length(v)));
 }

@@ -119,8 +119,11 @@ Outcome StepNewton::solve(std::span<double> b) {
 }
 
 double StepNewton::product(std::span<const double> a, std::span<const double> b) const {
-  const auto w = view(weights_);
-  const double sum = core::sum_in_halves(a.size(), [=](std::size_t i) { return (a[i] * w[i]) * (b[i] * w[i]); });
+  const double *x = a.data(), *y = b.data(), *weights = view(weights_).data();
+  const double sum = core::sum_in_halves(a.size(), [=](auto read, std::size_t i) {
+    const auto w = read(weights + i);
+    return (read(x + i) * w) * (read(y + i) * w);
+  });
   return sum / static_cast<double>(a.size());
 }
 

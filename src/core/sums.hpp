@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "core/both.hpp"
+#include "core/pack.hpp"
 
 /// Loops over long vectors: on both threads where that pays, with the same bits as on one.
 namespace talus::core {
@@ -35,19 +34,24 @@ inline bool all_finite(std::span<const double> v) {
   return first && second;
 }
 
-/// The sum of term(i) for i in [begin, end), in eight sums side by side: one alone waits for each addition.
+/// The sum of term(read, i) for i in [begin, end), in eight sums side by side: one alone waits for each addition. A term reads the
+/// numbers at a place as read(pointer), one or a Pack of them, and computes with either.
 template <class Term>
 double sum_of(std::size_t begin, std::size_t end, const Term& term) {
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> sums{};
+  constexpr std::size_t lanes = Pack::lanes;
+  Pack even(0.0), odd(0.0);
   std::size_t i = begin;
-  for (; i + lanes <= end; i += lanes)
-    for (std::size_t l = 0; l < lanes; ++l) sums[l] += term(i + l);
-  for (; i < end; ++i) sums[0] += term(i);
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  for (; i + 2 * lanes <= end; i += 2 * lanes) {
+    even += term(Pack::at, i);
+    odd += term(Pack::at, i + lanes);
+  }
+  even += odd;
+  double sum = (even.lane[0] + even.lane[1]) + (even.lane[2] + even.lane[3]);
+  for (; i < end; ++i) sum += term([](const double* x) { return *x; }, i);
+  return sum;
 }
 
-/// The sum of term(i) for i < n: of the halves, whichever threads sum them.
+/// The sum over all i < n: of the halves, whichever threads sum them.
 template <class Term>
 double sum_in_halves(std::size_t n, const Term& term) {
   double first = 0.0, second = 0.0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
 #include <vector>
 
 /// Loops over short and over long vectors.
@@ -10,6 +11,11 @@ namespace {
 using namespace talus;
 
 constexpr std::size_t lengths[]{0, 1, 7, 16, 17, 1000, core::long_vector + 13};
+
+struct Squares {
+  const double* x;
+  auto operator()(auto read, std::size_t i) const { return read(x + i) * read(x + i); }
+};
 
 TEST(Sums, HalvesCoverEachNumberOnce) {
   for (const std::size_t n : lengths) {
@@ -23,16 +29,19 @@ TEST(Sums, HalvesCoverEachNumberOnce) {
 
 TEST(Sums, AddEachTermOnce) {
   for (const std::size_t n : lengths) {
-    const auto square = [](std::size_t i) { return static_cast<double>(i) * static_cast<double>(i); };
+    std::vector<double> v(n);
+    std::iota(v.begin(), v.end(), 1.0);
     double each = 0.0;  // whole numbers below 2^53: exact in any order
-    for (std::size_t i = 0; i < n; ++i) each += square(i);
-    EXPECT_EQ(core::sum_in_halves(n, square), each) << n;
+    for (const double x : v) each += x * x;
+    EXPECT_EQ(core::sum_in_halves(n, Squares{v.data()}), each) << n;
   }
 }
 
 TEST(Sums, GiveTheSameBitsOnOneThread) {
   const std::size_t n = 2 * core::long_vector + 5;
-  const auto term = [](std::size_t i) { return 1.0 / (1.0 + static_cast<double>(i)); };
+  std::vector<double> v(n);
+  for (std::size_t i = 0; i < n; ++i) v[i] = 1.0 / (1.0 + static_cast<double>(i));
+  const Squares term{v.data()};
   const double on_two = core::sum_in_halves(n, term);
   double on_one = 0.0;
   core::both(
