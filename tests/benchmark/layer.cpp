@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "core/sums.hpp"
 #include "layer/layer.hpp"
 #include "linear/direct_solver.hpp"
 #include "support/layer_cases.hpp"
@@ -87,15 +88,19 @@ void solve(benchmark::State& state) {
     h.solver->solve(h.r);
   }
 }
-/// Reads y, y' and the numbers of all inputs and rows that the terms hold, some 140 a cell, and writes r.
+/// Reads y, y', the geometry (four numbers an interface) and the numbers of all inputs and rows that the terms hold, 144 a cell, and writes r.
 void stream(benchmark::State& state) {
   auto& h = heap_of(static_cast<int>(state.range(0)));
-  const std::vector<std::int64_t> numbers(static_cast<std::size_t>(state.range(0)) * 32 * 140, 1);
+  const auto n_cells = static_cast<std::size_t>(state.range(0)) * 32;
+  const std::vector<std::int32_t> numbers(n_cells * 144, 1);
+  const std::vector<double> geometry(n_cells * 4, 1.0);
   for ([[maybe_unused]] auto _ : state) {
-    std::int64_t sum = 0;
+    std::int32_t sum = 0;
     for (const auto number : numbers) sum += number;
+    const double size = core::sum_of(0, geometry.size(), [&](auto read, std::size_t i) { return read(&geometry[i]); });
     for (std::size_t i = 0; i < h.r.size(); ++i) h.r[i] = h.y[i] + h.yp[i];
     benchmark::DoNotOptimize(sum);
+    benchmark::DoNotOptimize(size);
     benchmark::DoNotOptimize(h.r.data());
   }
 }
