@@ -15,7 +15,7 @@ PYTHON  := $(firstword $(wildcard /usr/bin/python3) python3)
 # UMFPACK calls a BLAS from one thread: threads of OpenBLAS would fight over the cores (ten times slower on two busy ones).
 export OPENBLAS_NUM_THREADS := 1
 
-BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libopenblas-serial-dev libeigen3-dev libspectra-dev libnetcdf-dev nettle-dev \
+BUILD_PACKAGES := g++ cmake make pkg-config libsundials-dev libsuitesparse-dev libmumps-seq-dev libopenblas-serial-dev libeigen3-dev libspectra-dev libnetcdf-dev nettle-dev \
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libceres-dev libgtest-dev libbenchmark-dev
 PICTURE_PACKAGES := python3 python3-numpy python3-xarray python3-netcdf4 python3-matplotlib python3-pil ffmpeg
 TEST_PACKAGES := parallel shellcheck chromium chromium-driver python3-selenium

@@ -17,7 +17,6 @@ namespace talus::linear {
 class CondensedSolver final : public CheckedSolver {
  public:
   static constexpr Index longest_row = 8;
-  static constexpr double single_precision = 1e-6;
 
   static constexpr std::size_t large = 16 << 20;  ///< [bytes]: no cache holds it, solves are bound by memory
 

@@ -62,16 +62,18 @@ class DirectSolver {
 
 /// The relative residual of a solve that is as accurate as double precision allows.
 inline constexpr double full_accuracy = 1e-12;
+/// The relative residual that factors in single precision reach.
+inline constexpr double single_precision = 1e-6;
 
-/// `automatic` tries all but `dissected`; that is UMFPACK with nested dissection, for fields in the plane on large grids.
-enum class Choice : std::uint8_t { automatic, klu, umfpack, dissected, banded, condensed };
+/// `automatic` tries all but `dissected` and `mumps`: UMFPACK with nested dissection, and MUMPS, for fields in the plane on large grids.
+enum class Choice : std::uint8_t { automatic, klu, umfpack, dissected, mumps, banded, condensed };
 
 struct Settings {
   Choice choice = Choice::automatic;
   double pivot_tolerance = 0.1;      ///< KLU: take a diagonal pivot this large relative to the largest of its column
   std::vector<Index> ordering = {};  ///< optional: the unknowns in an order that keeps fill or band small, shape n
   /// Relative residual that is enough, for Newton's corrections, which contract: a solver may make coarse factors. From
-  /// CondensedSolver::single_precision on, large ones are in single precision.
+  /// `single_precision` on, MUMPS and a large condensed band work in single precision.
   double accuracy = full_accuracy;
   std::string chosen = {};  ///< DirectSolver::chosen() of an earlier solver: taken without trials; "" or unknown: tried
 };

@@ -4,6 +4,7 @@
 #include "linear/condensed_solver.hpp"
 #include "linear/direct_solver.hpp"
 #include "linear/klu_solver.hpp"
+#include "linear/mumps_solver.hpp"
 #include "linear/ordering.hpp"
 #include "linear/umfpack_solver.hpp"
 
@@ -17,6 +18,7 @@ std::unique_ptr<CheckedSolver> make_chosen(const SparsePattern& pattern, const S
   for (const auto strategy : {symmetric, dissected, unsymmetric})
     if (chosen == UmfpackSolver::name(strategy)) return std::make_unique<UmfpackSolver>(pattern, strategy);
   if (chosen == BandedSolver::name) return std::make_unique<BandedSolver>(pattern, settings.ordering);
+  if (chosen == MumpsSolver::name) return std::make_unique<MumpsSolver>(pattern);
   if (chosen == CondensedSolver::name) return std::make_unique<CondensedSolver>(pattern);
   const std::string klu = std::string(KluSolver::library) + " ";
   if (!chosen.starts_with(klu)) return nullptr;
@@ -31,6 +33,7 @@ std::unique_ptr<CheckedSolver> make_asked(const SparsePattern& pattern, const Se
       return std::make_unique<KluSolver>(pattern, KluSolver::Settings{settings.pivot_tolerance, settings.ordering, 0});
     case Choice::umfpack: return std::make_unique<UmfpackSolver>(pattern);
     case Choice::dissected: return std::make_unique<UmfpackSolver>(pattern, UmfpackSolver::Strategy::dissected);
+    case Choice::mumps: return std::make_unique<MumpsSolver>(pattern);
     case Choice::banded: return std::make_unique<BandedSolver>(pattern, settings.ordering);
     case Choice::condensed: return std::make_unique<CondensedSolver>(pattern);
     case Choice::automatic: break;

@@ -260,7 +260,7 @@ void numerics(Schema& s) {
   s.add(
       integer("max_order", "of the backward differentiation formula").at_least(1).at_most(5).fallback(std::int64_t{5}));
   s.add(choice("linear_solver", words::of(words::linear_solvers),
-               "for the Jacobian; automatic takes the fastest on the first one")
+               "for the Jacobian; automatic takes the fastest on the first one of all but dissected and mumps")
             .fallback(std::string("automatic")));
   s.add(
       choice("newton", words::of(words::newtons), "damped: our full Newton iteration; stock: IDA's own, for comparison")

@@ -37,10 +37,11 @@ inline constexpr Table<two_fluid::Averaging, 2> averagings{
     {{"arithmetic", two_fluid::Averaging::arithmetic}, {"harmonic", two_fluid::Averaging::harmonic}}};
 /// Whether two_fluid::Reach is limited.
 inline constexpr Table<bool, 2> extents{{{"box", false}, {"reachable", true}}};
-inline constexpr Table<linear::Choice, 6> linear_solvers{{{"automatic", linear::Choice::automatic},
+inline constexpr Table<linear::Choice, 7> linear_solvers{{{"automatic", linear::Choice::automatic},
                                                           {"klu", linear::Choice::klu},
                                                           {"umfpack", linear::Choice::umfpack},
                                                           {"dissected", linear::Choice::dissected},
+                                                          {"mumps", linear::Choice::mumps},
                                                           {"banded", linear::Choice::banded},
                                                           {"condensed", linear::Choice::condensed}}};
 inline constexpr Table<Integration::Method, 2> methods{

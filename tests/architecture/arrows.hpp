@@ -19,6 +19,7 @@ inline const std::vector<Family>& families() {
        "SUNDIALS::.*", "integrators/"},
       {"SuiteSparse", R"((suitesparse/.*)|(klu|umfpack|c?colamd|c?amd|btf|cholmod|SuiteSparse_config|metis)\.h)",
        "klu|umfpack|c?colamd|c?amd|btf|cholmod|suitesparseconfig|metis", "integrators/"},
+      {"MUMPS", R"([sdcz]mumps_c\.h|mumps.*)", "[sdcz]mumps.*", "integrators/"},
       {"netCDF", R"(netcdf.*)", "PkgConfig::NETCDF", "src/output/"},
       {"Nettle", R"(nettle/.*)", "PkgConfig::NETTLE", "src/output/"},
       {"Ceres", R"((ceres|glog)/.*)", R"(.*Ceres::.*)", "src/fit/"},

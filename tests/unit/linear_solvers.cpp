@@ -10,6 +10,7 @@
 #include "linear/condensed_solver.hpp"
 #include "linear/direct_solver.hpp"
 #include "linear/klu_solver.hpp"
+#include "linear/mumps_solver.hpp"
 #include "linear/ordering.hpp"
 #include "linear/umfpack_solver.hpp"
 #include "unit/linear_matrices.hpp"
@@ -20,9 +21,9 @@ namespace {
 using linear::Choice;
 
 /// Those that take any matrix. `condensed` is for column models with a good diagonal: it cuts the band in two blindly.
-constexpr Choice general[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::banded};
-constexpr Choice every_choice[] = {Choice::automatic, Choice::klu,    Choice::umfpack,
-                                   Choice::dissected, Choice::banded, Choice::condensed};
+constexpr Choice general[] = {Choice::automatic, Choice::klu, Choice::umfpack, Choice::mumps, Choice::banded};
+constexpr Choice every_choice[] = {Choice::automatic, Choice::klu,    Choice::umfpack,  Choice::dissected,
+                                   Choice::mumps,     Choice::banded, Choice::condensed};
 
 /// max |b - A x| over max (|A| |x| + |b|), each row divided by its largest entry: computed here, not by the solver.
 double relative_residual(const Matrix& m, const std::vector<double>& x, const std::vector<double>& b) {
@@ -282,15 +283,46 @@ Matrix nearly_singular_pairs(double gap) {
   return builder.build();
 }
 
-TEST(Condensed, GoesBackToDoubleWhereSinglePrecisionFails) {
+TEST(LinearSolvers, GoBackToDoubleWhereSinglePrecisionFails) {
   // 1 + 1e-9 is 1 in single precision, and the matrix singular; of 1 + 1.05e-7 one digit is left, though the residual is small.
   for (const double gap : {1e-9, 1.05e-7}) {
     const Matrix m = nearly_singular_pairs(gap);
-    linear::CondensedSolver solver(m.pattern, 0);
-    solver.demand(1e-6);
-    EXPECT_LT(solve_residual(solver, m), 1e-6) << solver.describe();
-    EXPECT_NE(solver.describe().find("in double precision"), std::string::npos) << gap << solver.describe();
+    linear::CondensedSolver condensed(m.pattern, 0);
+    linear::MumpsSolver mumps(m.pattern);
+    for (linear::CheckedSolver* solver : std::initializer_list<linear::CheckedSolver*>{&condensed, &mumps}) {
+      solver->demand(linear::single_precision);
+      EXPECT_LT(solve_residual(*solver, m), 1e-6) << solver->describe();
+      EXPECT_NE(solver->describe().find("in double precision"), std::string::npos) << gap << solver->describe();
+    }
   }
+}
+
+TEST(Mumps, FactorsInSinglePrecisionWhereThatIsAllThatIsAskedWhateverTheUnits) {
+  Matrix m = saddle_point(25, 8, 1e2, ConstraintAt::w);
+  linear::MumpsSolver whole(m.pattern);
+  EXPECT_LT(solve_residual(whole, m), 1e-12) << whole.describe();
+  // Of equations, beyond what single precision holds, and of unknowns.
+  const auto unit = [](Index i, double least, double step) {
+    return std::pow(10.0, least + step * static_cast<double>(i % 7));
+  };
+  for (const bool scaled : {false, true}) {
+    for (Index j = 0; scaled && j < m.pattern.n(); ++j)
+      for (Index k = m.pattern.column_starts()[j]; k < m.pattern.column_starts()[j + 1]; ++k)
+        m.values[k] *= unit(m.pattern.rows()[k], -45.0, 15.0) * unit(j + 3, -3.0, 1.0);
+    linear::MumpsSolver solver(m.pattern);
+    solver.demand(linear::single_precision);
+    const double residual = solve_residual(solver, m);
+    EXPECT_LT(residual, 1e-5) << solver.describe();
+    EXPECT_GT(residual, 1e-12) << solver.describe();
+    EXPECT_EQ(solver.statistics().rejected, 0);
+    EXPECT_NE(solver.describe().find("in single precision"), std::string::npos) << solver.describe();
+  }
+}
+
+TEST(Mumps, TakesMoreMemoryWherePivotsHaveToWait) {
+  const Matrix m = saddle_point(60, 16, 1e3);  // no diagonal entries for the pressures
+  linear::MumpsSolver solver(m.pattern);
+  EXPECT_LT(solve_residual(solver, m), 1e-10) << solver.describe();
 }
 
 TEST(Automatic, TakesTheSameSolverEachTimeAndSaysWhy) {

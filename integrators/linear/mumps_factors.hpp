@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "linear/direct_solver.hpp"
+
+namespace talus::linear {
+
+/// An LU factorisation by MUMPS in double or in single precision (Real), of a matrix whose rows and columns are scaled beforehand.
+/// Ordering and pattern of the factors are found once, from the pattern alone, with METIS.
+template <class Real>
+class MumpsFactors {
+ public:
+  /// Throws SingularMatrix where no numbering has a diagonal without structural zeros, std::bad_alloc.
+  explicit MumpsFactors(const SparsePattern& pattern);
+  MumpsFactors(const MumpsFactors&) = delete;
+  MumpsFactors& operator=(const MumpsFactors&) = delete;
+  ~MumpsFactors();
+
+  /// The values of the matrix in the order of the pattern, to be written before factor().
+  [[nodiscard]] std::span<Real> values() { return values_; }
+  /// Throws SingularMatrix, std::bad_alloc.
+  void factor();
+  /// b <- (L U)^-1 b, shape n.
+  void substitute(std::span<Real> b);
+  /// Entries of the factors, and operations, of the last factorisation.
+  [[nodiscard]] Index fill() const;
+  [[nodiscard]] double flops() const;
+
+ private:
+  struct Library;  ///< MUMPS' structure
+
+  void call(int job);
+
+  std::vector<int> rows_, columns_;  ///< of the entries, from one on, as MUMPS wants them
+  std::vector<Real> values_;
+  std::unique_ptr<Library> library_;
+};
+
+}  // namespace talus::linear
