@@ -23,6 +23,7 @@ SCENES = {
     "heap 300x32, first second": ("heap_q46", SHORT),
 }
 GROWTH = [75, 150, 300, 600, 1200]  # columns of 16 layers, for one second
+GRIDS = [(75, 8), (150, 16), (300, 32)]  # columns and layers, for the whole event
 
 
 def machine():
@@ -61,15 +62,23 @@ def scene(build, name, settings):
             "steps": s["steps"], "newton_failures": s["newton_failures"], "factorisations": s["factorisations"], "solves": s["solves"]} | parts
 
 
+def exponent(cells, seconds):
+    """Of seconds against cells: the slope of a straight line through the logarithms."""
+    x, y = [math.log(n) for n in cells], [math.log(t) for t in seconds]
+    mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+
+
 def growth(build):
-    """Heaps of more and more columns, and the exponent of CPU time against cells, from a straight line through the logarithms."""
-    figures = {f"heap {n}x16, first second": scene(build, "heap_q46", SHORT | {"grid.columns": n, "grid.layers": 16}) for n in GROWTH}
-    for per in ("", " and step"):
-        x = [math.log(n) for n in GROWTH]
-        y = [math.log(f["cpu_s"] / (f["steps"] if per else 1)) for f in figures.values()]
-        mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
-        slope = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
-        print(f"exponent of CPU time{per} against cells, {GROWTH[0]} to {GROWTH[-1]} columns: {slope:.2f}")
+    """What heaps cost on more and more cells: the whole event refined both ways, and a first second with more columns alone."""
+    figures = {}
+    for what, grids, settings in (("320 s", GRIDS, {}), ("first second", [(n, 16) for n in GROWTH], SHORT)):
+        runs = {grid: scene(build, "heap_q46", settings | {"grid.columns": grid[0], "grid.layers": grid[1]}) for grid in grids}
+        figures |= {f"heap {n}x{m}, {what}": run for (n, m), run in runs.items()}
+        for per in ("", " and step"):
+            seconds = [run["cpu_s"] / (run["steps"] if per else 1) for run in runs.values()]
+            fit = exponent([n * m for n, m in grids], seconds)
+            print(f"heap, {what}, {grids[0][0]}x{grids[0][1]} to {grids[-1][0]}x{grids[-1][1]}: CPU time{per} grows as cells to the power {fit:.2f}", flush=True)
     return figures
 
 
@@ -86,7 +95,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="where talus and the benchmarks were built")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out/bench", help="where results are stored, a folder a machine")
-    parser.add_argument("--growth", action="store_true", help="also heaps of 75 to 1200 columns (minutes)")
+    parser.add_argument("--growth", action="store_true", help="also heaps on more and more cells (minutes)")
     parser.add_argument("--scenes", action="store_true", help="only scenes, no kernels")
     arguments = parser.parse_args()
     folder = arguments.out / machine()
