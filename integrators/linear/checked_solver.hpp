@@ -25,7 +25,7 @@ class CheckedSolver : public DirectSolver {
   void demand(double accuracy) { accuracy_ = accuracy; }
   /// Whether a first solve with that relative residual shows the factors to be good.
   [[nodiscard]] bool acceptable(double residual) const {
-    return residual < (coarse() ? std::max(accept_below, accuracy_) : accept_below);
+    return residual < (coarse() ? std::max(accept_below, accept_coarse_below()) : accept_below);
   }
 
   void factor(std::span<const double> values) final;
@@ -50,6 +50,8 @@ class CheckedSolver : public DirectSolver {
   }
   /// Whether the factors at hand are made for less than full accuracy.
   [[nodiscard]] virtual bool coarse() const { return false; }
+  /// Relative residual of a first solve with coarse factors.
+  [[nodiscard]] virtual double accept_coarse_below() const { return accuracy_; }
   [[nodiscard]] double accuracy() const { return accuracy_; }
   /// Whether the factors of this matrix failed their test before.
   [[nodiscard]] bool rejected() const { return rejected_; }

@@ -9,6 +9,8 @@
 #include <string>
 #include <type_traits>
 
+#include "linear/ordering.hpp"
+
 namespace talus::linear {
 namespace {
 
@@ -16,7 +18,7 @@ namespace {
 constexpr int start = -1, end = -2, analyse = 1, factorise = 2, substitute_job = 3;
 constexpr int error_unit = 1, message_unit = 2, statistics_unit = 3, verbosity = 4, transversal = 6, ordering = 7,
               scaling = 8, spare_memory = 14;
-constexpr int metis = 5;
+constexpr int given = 1;
 
 constexpr int workspace_too_small_for_integers = -8, workspace_too_small = -9, structurally_singular = -6,
               singular = -10, no_memory_left = -13, no_memory_left_inside = -7;
@@ -41,6 +43,7 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
       rows_.push_back(static_cast<int>(pattern.rows()[k]) + 1);
       columns_.push_back(static_cast<int>(j) + 1);
     }
+  for (const Index place : inverse(nested_dissection(pattern))) places_.push_back(static_cast<int>(place) + 1);
   constexpr int no_communicator = -987654;  // by MUMPS' manual, for the library without MPI
   library_->par = 1;
   library_->sym = 0;
@@ -49,7 +52,7 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
   for (const int unit : {error_unit, message_unit, statistics_unit}) library_->control(unit) = -1;
   library_->control(verbosity) = 0;
   library_->control(transversal) = 0;
-  library_->control(ordering) = metis;
+  library_->control(ordering) = given;
   library_->control(scaling) = 0;
   library_->control(spare_memory) = first_spare;
   library_->n = static_cast<int>(pattern.n());
@@ -57,6 +60,7 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
   library_->irn = rows_.data();
   library_->jcn = columns_.data();
   library_->a = values_.data();
+  library_->perm_in = places_.data();
   call(analyse);
 }
 

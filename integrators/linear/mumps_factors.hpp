@@ -9,7 +9,7 @@
 namespace talus::linear {
 
 /// An LU factorisation by MUMPS in double or in single precision (Real), of a matrix whose rows and columns are scaled beforehand.
-/// Ordering and pattern of the factors are found once, from the pattern alone, with METIS.
+/// Ordering (nested_dissection) and pattern of the factors are found once, from the pattern alone.
 template <class Real>
 class MumpsFactors {
  public:
@@ -35,6 +35,7 @@ class MumpsFactors {
   void call(int job);
 
   std::vector<int> rows_, columns_;  ///< of the entries, from one on, as MUMPS wants them
+  std::vector<int> places_;          ///< of the unknowns in the ordering, from one on
   std::vector<Real> values_;
   std::unique_ptr<Library> library_;
 };

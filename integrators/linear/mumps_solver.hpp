@@ -23,6 +23,8 @@ class MumpsSolver final : public CheckedSolver {
   void factor_anew() override;
   void substitute(std::span<double> b) override;
   [[nodiscard]] bool coarse() const override { return in_single_; }
+  /// At 2.5 mm residuals were up to 4e-5 where the error, which is tested besides, was 3e-6.
+  [[nodiscard]] double accept_coarse_below() const override { return 1e-4; }
 
  private:
   void scale_columns();

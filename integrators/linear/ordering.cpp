@@ -1,6 +1,9 @@
 #include "linear/ordering.hpp"
 
+#include <cholmod.h>
+
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -31,6 +34,7 @@ class Graph {
     for (auto& list : neighbours_) std::stable_sort(list.begin(), list.end(), by_degree);
   }
 
+  [[nodiscard]] const std::vector<Index>& neighbours(Index node) const { return neighbours_[node]; }
   [[nodiscard]] std::size_t degree(Index node) const { return neighbours_[node].size(); }
 
   /// Nodes reached from `root` level by level, and the number of levels.
@@ -114,6 +118,33 @@ Bandwidth bandwidth(const core::SparsePattern& pattern, std::span<const Index> o
     }
   }
   return width;
+}
+
+Ordering nested_dissection(const core::SparsePattern& pattern) {
+  const Graph graph(pattern);
+  std::vector<Index> starts{0}, rows;
+  for (Index j = 0; j < pattern.n(); ++j) {
+    for (const Index i : graph.neighbours(j))
+      if (i > j) rows.push_back(i);
+    starts.push_back(static_cast<Index>(rows.size()));
+  }
+  Ordering order(pattern.n());
+  cholmod_sparse matrix{};
+  matrix.nrow = matrix.ncol = order.size();
+  matrix.nzmax = rows.size();
+  matrix.p = starts.data();
+  matrix.i = rows.data();
+  matrix.stype = -1;
+  matrix.itype = CHOLMOD_LONG;
+  matrix.xtype = CHOLMOD_PATTERN;
+  matrix.packed = 1;
+  cholmod_common common;
+  cholmod_l_start(&common);
+  common.print = 0;
+  const bool done = cholmod_l_metis(&matrix, nullptr, 0, 1, order.data(), &common) != 0;
+  cholmod_l_finish(&common);
+  if (!done) throw std::bad_alloc();
+  return order;
 }
 
 }  // namespace talus::linear

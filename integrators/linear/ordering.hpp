@@ -17,6 +17,9 @@ using Ordering = std::vector<core::Index>;
 /// longest level structure (Gibbs, Poole and Stockmeyer's start).
 [[nodiscard]] Ordering reverse_cuthill_mckee(const core::SparsePattern& pattern);
 
+/// Nested dissection of the graph of A + A^T by METIS. Throws std::bad_alloc.
+[[nodiscard]] Ordering nested_dissection(const core::SparsePattern& pattern);
+
 struct Bandwidth {
   core::Index lower, upper;
   /// In proportion to the operations of a band factorisation with pivoting.

@@ -258,7 +258,7 @@ TEST_P(LayerCheckpoint, ARunContinuedFromItEqualsTheOneThatWroteItBitByBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachSolver, LayerCheckpoint,
-                         testing::Values("automatic", "klu", "umfpack", "banded", "condensed"),
+                         testing::Values("automatic", "klu", "umfpack", "mumps", "banded", "condensed"),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST_P(IdaCheckpoint, ARunContinuedFromItEqualsTheRunThatWroteItBitByBit) {
 
 INSTANTIATE_TEST_SUITE_P(EachLinearSolver, IdaCheckpoint,
                          testing::Values(linear::Choice::automatic, linear::Choice::klu, linear::Choice::umfpack,
-                                         linear::Choice::banded));
+                                         linear::Choice::mumps, linear::Choice::banded));
 
 TEST(IdaTime, FailuresBeforeACheckpointDoNotCountAgainAfterIt) {
   const SmallDae<Pendulum> system;
