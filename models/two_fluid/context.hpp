@@ -38,7 +38,7 @@ struct Context {
     const auto& n = parameters->numerics;
     return n.sharpening == Sharpening::segregation ? n.segregation_speed : 0.0;
   }
-  [[nodiscard]] bool along_gravity() const { return parameters->numerics.direction == Direction::gravity; }
+  [[nodiscard]] bool along_gravity() const { return parameters->numerics.direction != Direction::base_normal; }
   [[nodiscard]] double direction_x() const { return along_gravity() ? std::sin(parameters->box.tilt) : 0.0; }
   [[nodiscard]] double direction_z() const { return along_gravity() ? -std::cos(parameters->box.tilt) : -1.0; }
 };

@@ -22,6 +22,8 @@ Mesh::Mesh(const Parameters& par)
     : grid_(make_grid(par)),
       jet_(par),
       transport_(par.numerics.transport),
+      settles_(par.numerics.direction == Direction::settling),
+      giver_is_left_(par.box.tilt > 0.0),
       left_wall_(!par.box.left_open),
       right_wall_(!par.box.right_open),
       exists_(reachable_cells(par, grid_, jet_)) {

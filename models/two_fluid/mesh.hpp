@@ -27,6 +27,8 @@ class Mesh {
   [[nodiscard]] bool limits_at(double x, double z) const {
     return transport_ == Transport::limited || (transport_ == Transport::jet && jet_.in_corridor(x, z));
   }
+  /// Where grains settle, the cell beneath the one that gives them through the face (f, k) along the base; else no cell.
+  [[nodiscard]] Place beneath_giver(int f, int k) const { return {giver_is_left_ ? f - 1 : f, settles_ ? k - 1 : -1}; }
   [[nodiscard]] bool has_cell(int i, int k) const {
     return grid_.has_column(i) && grid_.has_layer(k) && exists_[number(i, k)];
   }
@@ -62,6 +64,7 @@ class Mesh {
   grid::Rectilinear grid_;
   JetRegion jet_;
   Transport transport_;
+  bool settles_, giver_is_left_;
   bool left_wall_, right_wall_;
   std::vector<bool> exists_;  ///< each cell, column by column
   std::vector<double> inlet_;

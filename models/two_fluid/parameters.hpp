@@ -22,8 +22,9 @@ struct Air {
 
 /// What keeps grains and air apart.
 enum class Sharpening : std::uint8_t { none, segregation, counter_gradient };
-/// Along which the grains are parted from the air: gravity, as in (5.2), or the normal of the base.
-enum class Direction : std::uint8_t { gravity, base_normal };
+/// Along which the grains are parted from the air: gravity, as in (5.2), the normal of the base, or as single grains settle: along gravity,
+/// but along the base only by the share of air in the cell beneath, since grains that rest on others do not slip through them.
+enum class Direction : std::uint8_t { gravity, base_normal, settling };
 /// How phi on a face follows from the cells: first order, or second order where phi is smooth, everywhere or in the jet region alone.
 enum class Transport : std::uint8_t { upwind, limited, jet };
 /// How the viscosities of grains and air make that of a mixture: (5.7), or their harmonic mean.
@@ -52,6 +53,7 @@ struct Numerics {
   double segregation_speed = 0.1;  ///< f_ga of (5.2) [m/s]
   double counter_gradient = 1.0;   ///< c_ag of (5.8) [1]
   Direction direction = Direction::gravity;
+  bool jet_segregation = false;  ///< grains settle in the jet, too: Omega of (5.13) is 1 everywhere
   Transport transport = Transport::jet;
   Averaging averaging = Averaging::arithmetic;
   Advection advection = Advection::upwind;

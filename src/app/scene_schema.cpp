@@ -156,8 +156,12 @@ void numerics(Schema& s) {
             .fallback(std::string("segregation")));
   s.add(number("segregation_speed", "m/s", "f_ga of (5.13)").at_least(0.0).fallback(0.1));
   s.add(number("counter_gradient", "1", "c_ag of (5.8)").at_least(0.0).fallback(1.0));
-  s.add(choice("direction", words::of(words::directions), "e of (5.13): along gravity, or normal to the base")
+  s.add(choice("direction", words::of(words::directions),
+               "e of (5.13): along gravity, normal to the base, or settling: along gravity, but over grains not along "
+               "the base")
             .fallback(std::string("gravity")));
+  s.add(boolean("jet_segregation", "segregation acts in the jet region, too, where Omega of (5.13) is 0")
+            .fallback(false));
   s.add(
       choice(
           "transport", words::of(words::transports),

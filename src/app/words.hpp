@@ -28,8 +28,9 @@ inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
     {{"none", two_fluid::Sharpening::none},
      {"segregation", two_fluid::Sharpening::segregation},
      {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
-inline constexpr Table<two_fluid::Direction, 2> directions{
-    {{"gravity", two_fluid::Direction::gravity}, {"base_normal", two_fluid::Direction::base_normal}}};
+inline constexpr Table<two_fluid::Direction, 3> directions{{{"gravity", two_fluid::Direction::gravity},
+                                                            {"base_normal", two_fluid::Direction::base_normal},
+                                                            {"settling", two_fluid::Direction::settling}}};
 inline constexpr Table<two_fluid::Transport, 3> transports{{{"limited", two_fluid::Transport::limited},
                                                             {"upwind", two_fluid::Transport::upwind},
                                                             {"jet", two_fluid::Transport::jet}}};

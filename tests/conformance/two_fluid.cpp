@@ -10,6 +10,7 @@
 #include "support/example_scene.hpp"
 #include "support/random_state.hpp"
 #include "two_fluid/fields.hpp"
+#include "two_fluid/grain_flux.hpp"
 #include "two_fluid/two_fluid.hpp"
 
 /// What the two-fluid model alone can promise.
@@ -40,6 +41,9 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
                                    {"two_fluid.averaging=harmonic"},
                                    {"two_fluid.base_film=true"},
                                    {"two_fluid.direction=base_normal"},
+                                   {"two_fluid.direction=settling"},
+                                   {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
+                                   {"two_fluid.direction=settling", "box.tilt=-20", "inflow.position=0.4"},
                                    {"two_fluid.sharpening=none"},
                                    {"two_fluid.sharpening=counter_gradient"},
                                    {"model.advection=none"},
@@ -81,6 +85,7 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
   for (const Settings& settings : {Settings{},
                                    {"two_fluid.transport=upwind"},
                                    {"two_fluid.sharpening=counter_gradient"},
+                                   {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
                                    {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
                                    {"two_fluid.z_grading=4"}}) {
     const TwoFluid system(heap(20, 12, settings));
@@ -224,6 +229,57 @@ TEST(TwoFluid, TransportIsOfSecondOrderInTheJetRegionAlone) {
   EXPECT_NE(residual("jet", all_jet), residual("upwind", all_jet));
 }
 
+/// Grains in still air settle along gravity, whichever way the base slopes; along the base they do so by the share of air in the cell beneath
+/// the giver, and not at all over grains or on the base. In the jet region they settle where the scene says so.
+TEST(TwoFluid, GrainsSettleAlongGravityButNotAlongTheBaseOverGrains) {
+  for (const Settings& tilt : {Settings{"box.tilt=29.2"}, Settings{"box.tilt=-20", "inflow.position=0.4"}}) {
+    for (const bool in_jet : {false, true}) {
+      Settings settings = tilt;
+      settings.push_back("two_fluid.direction=settling");
+      settings.push_back(std::string("two_fluid.jet_segregation=") + (in_jet ? "true" : "false"));
+      const TwoFluid system(heap(20, 10, settings));
+      const auto context = system.context(0.0);
+      const double phi = 0.2, above_all = -10.0, under_all = 10.0;
+      const two_fluid::Row<double> cloud{phi, phi, phi, phi};
+      const int f = 8, k = 6;
+      const auto along = [&](int layer, double beneath, double heap_height) {
+        return two_fluid::grain_flux_x(context, f, layer, 0.0, cloud, beneath, heap_height);
+      };
+      const double up = two_fluid::grain_flux_z(context, f, k, 0.0, cloud, under_all), free = along(k, 0.0, under_all);
+      const double tangent = -std::tan(system.parameters().box.tilt);
+      EXPECT_LT(up, -1e-3);
+      EXPECT_NEAR(free / up, tangent, 1e-3 * std::abs(tangent));
+      EXPECT_NEAR(along(k, 0.5, under_all), 0.5 * free, 1e-3 * std::abs(free));
+      EXPECT_EQ(along(k, 1.0, under_all), 0.0);
+      EXPECT_EQ(along(0, 0.0, under_all), 0.0);
+      int n_jet = 0;
+      for (int i = 0; i < 20; ++i) {
+        if (!system.mesh().jet().in_corridor(system.mesh().grid().x_centre(i), system.mesh().grid().z_nodes[k]))
+          continue;
+        ++n_jet;
+        EXPECT_EQ(two_fluid::grain_flux_z(context, i, k, 0.0, cloud, above_all), in_jet ? up : 0.0);
+      }
+      EXPECT_GT(n_jet, 0);
+    }
+  }
+}
+
+/// A cell of grains under one of air: what the row of phi of the lower cell's right neighbour reads is the cell beneath its giver.
+TEST(TwoFluid, WhereGrainsSettleTheRowReadsTheCellBeneathTheGiver) {
+  for (const bool left : {true, false}) {
+    const Settings tilt = left ? Settings{"box.tilt=29.2"} : Settings{"box.tilt=-20", "inflow.position=0.4"};
+    for (const char* direction : {"settling", "gravity"}) {
+      Settings settings = tilt;
+      settings.push_back(std::string("two_fluid.direction=") + direction);
+      const TwoFluid system(heap(20, 10, settings));
+      const auto& at = system.unknowns();
+      const int i = 17, k = 4, taker = left ? i + 1 : i - 1;
+      EXPECT_EQ(system.pattern().find(at.phi(taker, k), at.phi(i, k - 1)) >= 0, *direction == 's') << direction;
+      EXPECT_LT(system.pattern().find(at.phi(left ? i - 1 : i + 1, k), at.phi(i, k - 1)), 0) << direction;
+    }
+  }
+}
+
 /// Left and right are alike: box, cells, state and residual in the mirror.
 void mirror_box(const Settings& settings) {
   auto par = heap(11, 7, settings);
@@ -261,6 +317,7 @@ void mirror_box(const Settings& settings) {
 TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
   mirror_box({"two_fluid.x_grading=2"});
   mirror_box({"two_fluid.cells=reachable", "two_fluid.reach_margin=0"});
+  mirror_box({"two_fluid.direction=settling", "two_fluid.jet_segregation=true"});
 }
 
 /// However the inlet falls on the columns, what is poured is what the scene says.

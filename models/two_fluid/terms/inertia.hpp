@@ -20,8 +20,8 @@ void carry(const Context& c, double area, const S& m, const S& behind, const S& 
 
 /// u carried along x, through the middle of cell (i, k).
 struct ConvectionAlongAlong : Kernel {
-  static constexpr int n_in = 8, n_out = 2;
-  enum In { u_, phi_ = 2, heap_ = 7 };
+  static constexpr int n_in = 10, n_out = 2;
+  enum In { u_, phi_ = 2, heap_ = 7, beneath_ = 8 };
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
@@ -31,6 +31,8 @@ struct ConvectionAlongAlong : Kernel {
     in[phi_] = far_phi_at_face(i, k, i - 2);
     in[phi_ + 4] = far_phi_at_face(i + 1, k, i + 2);
     in[heap_] = heap_at_face(i, k) < 0 ? heap_at_face(i + 1, k) : heap_at_face(i, k);
+    in[beneath_] = beneath_at_face(i, k);
+    in[beneath_ + 1] = beneath_at_face(i + 1, k);
     out = {mesh->is_wall(i) ? -1 : at->momentum_u(i, k), mesh->is_wall(i + 1) ? -1 : at->momentum_u(i + 1, k)};
   }
   template <class S>
@@ -39,7 +41,9 @@ struct ConvectionAlongAlong : Kernel {
     const auto m = [&](int side) {
       const S* phi = &in.y[phi_ + side];
       const S& u = in.y[u_ + side];
-      return mass_flux(c, u, S(grain_flux_x(c, i + side, k, u, Row<S>{phi[0], phi[1], phi[2], phi[3]}, in.y[heap_])));
+      return mass_flux(c, u,
+                       S(grain_flux_x(c, i + side, k, u, Row<S>{phi[0], phi[1], phi[2], phi[3]}, in.y[beneath_ + side],
+                                      in.y[heap_])));
     };
     carry(c, grid().dz(k), S(0.5 * (m(0) + m(1))), in.y[u_], in.y[u_ + 1], out[0], out[1]);
   }
@@ -106,8 +110,8 @@ struct ConvectionAlongUp : Kernel {
 
 /// w carried along x, through the same corner.
 struct ConvectionUpAlong : Kernel {
-  static constexpr int n_in = 13, n_out = 2;
-  enum In { w_, u_ = 2, phi_ = 4, heap_ = 12 };
+  static constexpr int n_in = 15, n_out = 2;
+  enum In { w_, u_ = 2, phi_ = 4, heap_ = 12, beneath_ = 13 };
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
@@ -116,6 +120,7 @@ struct ConvectionUpAlong : Kernel {
     for (int side = 0; side < 2; ++side) {
       in[u_ + side] = at->u(f, k - 1 + side);
       std::ranges::copy(row_at_face(f, k - 1 + side), &in[phi_ + 4 * side]);
+      in[beneath_ + side] = beneath_at_face(f, k - 1 + side);
     }
     in[heap_] = heap_at_face(f, k) < 0 ? heap_at_face(f, k - 1) : heap_at_face(f, k);
     out = {at->momentum_w(f - 1, k), at->momentum_w(f, k)};
@@ -128,7 +133,9 @@ struct ConvectionUpAlong : Kernel {
       const S& u = in.y[u_ + side];
       const int layer = k - 1 + side;
       return S(0.5 * grid().dz(layer) *
-               mass_flux(c, u, S(grain_flux_x(c, f, layer, u, Row<S>{phi[0], phi[1], phi[2], phi[3]}, in.y[heap_]))));
+               mass_flux(c, u,
+                         S(grain_flux_x(c, f, layer, u, Row<S>{phi[0], phi[1], phi[2], phi[3]}, in.y[beneath_ + side],
+                                        in.y[heap_]))));
     };
     const double area = grid().across_interface(k);
     carry(c, area, S((m(0) + m(1)) / area), in.y[w_], in.y[w_ + 1], out[0], out[1]);

@@ -38,6 +38,11 @@ struct Kernel {
   [[nodiscard]] Index far_phi_at_interface(int i, int k, int layer) const {
     return mesh->limits_at(grid().x_centre(grid().column(i)), grid().z_nodes[k]) ? at->phi(i, layer) : -1;
   }
+  /// phi beneath the cell that gives grains along the base through the face (f, k), where the flux there reads it.
+  [[nodiscard]] Index beneath_at_face(int f, int k) const {
+    const auto [i, layer] = mesh->beneath_giver(f, k);
+    return at->phi(i, layer);
+  }
   /// phi of the four cells in a row that the flux of grains reads at the face (f, k) or the interface (i, k).
   [[nodiscard]] std::array<Index, 4> row_at_face(int f, int k) const {
     return {far_phi_at_face(f, k, f - 2), at->phi(f - 1, k), at->phi(f, k), far_phi_at_face(f, k, f + 1)};

@@ -8,13 +8,13 @@ namespace talus::two_fluid {
 
 /// Incompressibility (5.4) and transport of the grains (5.13) through the faces of columns, and what leaves over the ends and edges.
 struct TransportAlong : Kernel {
-  static constexpr int n_in = 6, n_out = 5;
-  enum In { u_, phi_, heap_ = 5 };
+  static constexpr int n_in = 7, n_out = 5;
+  enum In { u_, phi_, heap_ = 5, beneath_ = 6 };
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [f, k] = place(number);
     const auto phi = row_at_face(f, k);
-    in = {at->u(f, k), phi[0], phi[1], phi[2], phi[3], heap_at_face(f, k)};
+    in = {at->u(f, k), phi[0], phi[1], phi[2], phi[3], heap_at_face(f, k), beneath_at_face(f, k)};
     const bool inside = mesh->has_cell(f - 1, k) && mesh->has_cell(f, k), end = grid().is_end(f);
     const Index budget = inside ? -1 : (!end ? at->mass_top() : (f == 0 ? at->mass_left() : at->mass_right()));
     out = {at->continuity(f - 1, k), at->continuity(f, k), at->phi(f - 1, k), at->phi(f, k), budget};
@@ -24,7 +24,7 @@ struct TransportAlong : Kernel {
     const auto [f, k] = place(number);
     const double area = grid().dz(k);
     const Row<S> phi{in.y[phi_], in.y[phi_ + 1], in.y[phi_ + 2], in.y[phi_ + 3]};
-    const S volume = area * in.y[u_], grains = area * grain_flux_x(c, f, k, in.y[u_], phi, in.y[heap_]);
+    const S volume = area * in.y[u_], grains = area * grain_flux_x(c, f, k, in.y[u_], phi, in.y[beneath_], in.y[heap_]);
     out[0] += volume;
     out[1] -= volume;
     out[2] += grains;
