@@ -319,6 +319,33 @@ TEST(Mumps, FactorsInSinglePrecisionWhereThatIsAllThatIsAskedWhateverTheUnits) {
   }
 }
 
+TEST(Mumps, TakesSinglePrecisionByItsErrorNotByItsResidual) {
+  const Matrix m = saddle_point(25, 8, 1.0, ConstraintAt::w);
+  linear::MumpsSolver solver(m.pattern);
+  solver.demand(linear::single_precision);
+  solve_residual(solver, m);
+  EXPECT_GT(solver.statistics().first_residual, linear::single_precision) << "no case for this test";
+  EXPECT_EQ(solver.statistics().rejected, 0) << solver.describe();
+}
+
+TEST(Mumps, IsOrderedTheSameEachTimeAndFillsLessThanABand) {
+  constexpr Index n = 40;
+  MatrixBuilder builder(n * n);  // five-point stencil on a square
+  for (Index i = 0; i < n * n; ++i) {
+    builder.add(i, i, 4.1);
+    for (const Index j : {i % n + 1 < n ? i + 1 : i, i + n < n * n ? i + n : i}) {
+      if (j == i) continue;
+      builder.add(i, j, -1.0);
+      builder.add(j, i, -1.0);
+    }
+  }
+  const Matrix m = builder.build();
+  EXPECT_EQ(linear::nested_dissection(m.pattern), linear::nested_dissection(m.pattern));
+  linear::MumpsSolver solver(m.pattern);
+  EXPECT_LT(solve_residual(solver, m), 1e-12);
+  EXPECT_LT(static_cast<double>(solver.statistics().fill), 0.6 * 2.0 * n * n * n);
+}
+
 TEST(Mumps, TakesMoreMemoryWherePivotsHaveToWait) {
   const Matrix m = saddle_point(60, 16, 1e3);  // no diagonal entries for the pressures
   linear::MumpsSolver solver(m.pattern);
