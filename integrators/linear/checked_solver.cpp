@@ -24,7 +24,9 @@ CheckedSolver::CheckedSolver(const SparsePattern& pattern)
 void CheckedSolver::factor(std::span<const double> values) {
   if (values.size() != values_.size())
     throw std::invalid_argument("CheckedSolver::factor: one value an entry of the pattern");
-  std::copy(values.begin(), values.end(), values_.begin());
+  core::in_halves(values.size(), [&](std::size_t begin, std::size_t end) {
+    std::copy(values.begin() + begin, values.begin() + end, values_.begin() + begin);
+  });
   scale_rows();
   ++statistics_.factorisations;
   first_ = true;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/both.hpp"
 #include "core/staggered_fields.hpp"
 #include "diagnostics/heap_shape.hpp"
 #include "layer/cell_state.hpp"
@@ -72,8 +73,15 @@ double face_roughness(std::span<const double> H, std::span<const double> top,
 
 View make_view(const Layer& layer, const core::Snapshot& snapshot) {
   View v{layer, snapshot, layer.context(snapshot.t, snapshot.y), {}, {}, {}, {0, nothing, nothing}, nothing, {}};
-  for (int k = 0; k < v.nz(); ++k)
-    for (int i = 0; i < v.nx(); ++i) v.cells.push_back(cell_state(layer, v.context, snapshot.y, i, k));
+  v.cells.resize(std::size_t(v.nx()) * v.nz());
+  const auto fill_layers = [&](int from, int to) {
+    for (int k = from; k < to; ++k)
+      for (int i = 0; i < v.nx(); ++i)
+        v.cells[std::size_t(k) * v.nx() + i] = cell_state(layer, v.context, snapshot.y, i, k);
+  };
+  core::both(
+      v.cells.size() >= fv::Operator<Context>::least_for_threads, [&] { fill_layers(0, v.nz() / 2); },
+      [&] { fill_layers(v.nz() / 2, v.nz()); });
   std::vector<double> top;
   for (int i = 0; i < v.nx(); ++i) {
     v.H.push_back(snapshot.y[layer.unknowns().H(i)]);
