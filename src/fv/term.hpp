@@ -179,8 +179,8 @@ class KernelTerm final : public Term<Context> {
   };
 
   void group() requires in_packs {
-    for (int number = 0; number < Part::of; ++number) {
-      const Part part{number};
+    for (int nth = 0; nth < Part::of; ++nth) {
+      const Part part{nth};
       group_start_.push_back(groups_.size());
       const auto end = static_cast<Index>(part.end(in_.size()));
       for (Index place = static_cast<Index>(part.begin(in_.size())), next; place < end; place = next) {
@@ -190,8 +190,8 @@ class KernelTerm final : public Term<Context> {
         const bool packed = next - place >= lanes;
         next = std::max(next, place + 1);
         const bool goes_on = !packed && groups_.size() > group_start_.back() && !groups_.back().packed;
-        if (goes_on) groups_.back().end = this->number(next);
-        else groups_.push_back({this->number(place), this->number(next), packed});
+        if (goes_on) groups_.back().end = number(next);
+        else groups_.push_back({number(place), number(next), packed});
       }
     }
     group_start_.push_back(groups_.size());
