@@ -1,9 +1,8 @@
 #pragma once
 
-#include <fenv.h>
-
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <limits>
 #include <memory>
 #include <span>

@@ -1,8 +1,8 @@
-#include <fenv.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
+#include <cfenv>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
