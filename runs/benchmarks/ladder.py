@@ -104,7 +104,9 @@ def draw(axes, points, title, unit):
         mine = [(cpu, error, name) for r, name, cpu, error in points if r == rung]
         axes.loglog([p[0] for p in mine], [p[1] for p in mine], MARKS[rung] + "-", label=rung)
         for cpu, error, name in mine:
-            axes.annotate(name, (cpu, error), textcoords="offset points", xytext=(5, 5), fontsize=7)
+            # The layer's points lie closest to others, which have their names above them.
+            place, side = ((-5, -10), "right") if rung == "layer" and name != mine[-1][2] else ((5, -10 if rung == "layer" else 5), "left")
+            axes.annotate(name, (cpu, error), textcoords="offset points", xytext=place, ha=side, fontsize=7)
     for name, seconds, known in PEER:
         axes.axvline(seconds, color="grey", linestyle=":", linewidth=1)
         axes.annotate(f"peer, {name}" + (f"\n{known}" if known else ""), (seconds, lowest), rotation=90, fontsize=6, color="dimgrey",
