@@ -20,7 +20,6 @@ std::size_t length(N_Vector v) { return static_cast<std::size_t>(NV_LENGTH_S(v))
 /// z = sum of c[t] x[t], summed from the first term on; z may be one of x.
 template <int n_terms>
 void combine(const realtype* c, const Sources& x, double* z, std::size_t begin, std::size_t end) {
-#pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) {
     double sum = c[0] * x[0][i];
     for (int t = 1; t < n_terms; ++t) sum += c[t] * x[t][i];

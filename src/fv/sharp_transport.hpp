@@ -45,8 +45,8 @@ S upwind_flux(const S& speed, double scale, const S& behind, const S& ahead) {
 }
 
 /// Value that a flux carries: the giver's where |flux| is well above `scale`, the mean where it is zero.
-template <class S>
-S upwind_value(const S& flux, double scale, const S& behind, const S& ahead) {
+template <class S, class Scale>
+S upwind_value(const S& flux, const Scale& scale, const S& behind, const S& ahead) {
   using std::sqrt;
   using core::sqrt;
   const S sign = flux / sqrt(flux * flux + scale * scale);

@@ -2,20 +2,12 @@
 
 #include <cmath>
 
+#include "fv/sharp_transport.hpp"
 #include "layer/film.hpp"
 #include "layer/jet.hpp"
 #include "layer/terms/kernel.hpp"
 
 namespace talus::layer {
-
-/// Smooth upwind value: the giver's where |m| is well above `scale`, the mean where m is zero.
-template <class S, class Scale>
-S upwind(const S& m, const Scale& scale, const S& behind, const S& ahead) {
-  using std::sqrt;
-  using core::sqrt;
-  const S sign = m / sqrt(m * m + scale * scale);
-  return 0.5 * (behind + ahead) - 0.5 * sign * (ahead - behind);
-}
 
 /// rho du/dt of (3.16) in the momentum volume about (face f, layer k), at a fixed layer of the moving grid.
 struct Acceleration : Kernel {
@@ -80,7 +72,8 @@ struct ConvectionAlong : Kernel {
     for (int j = 0; j < 3; ++j) omega[j] = 0.5 * (in.y[omega_ + 2 * j] + in.y[omega_ + 2 * j + 1]);
     const S h = g.h(2, k);
     const auto scale = c.parameters->grains.rho() / columns.dx() * n.film_speed * core::value_of(h);
-    const S u = n.advection == Advection::upwind ? upwind(m, scale, u_left, u_right) : S(0.5 * (u_left + u_right));
+    const S u =
+        n.advection == Advection::upwind ? fv::upwind_value(m, scale, u_left, u_right) : S(0.5 * (u_left + u_right));
     const S w = u * g.slope_centre(2, k) + omega[1];
     const auto leave = [&](const S& u_P, int face, double sign, int first) {
       const S slope = g.slope_face(face, k);
@@ -125,7 +118,7 @@ struct ConvectionAcross : Kernel {
     const S& u_below = in.y[u_];
     const S& u_above = in.y[u_ + 1];
     const Numerics& n = c.parameters->numerics;
-    const S u = n.advection == Advection::upwind ? upwind(m, rho * n.film_speed, u_below, u_above)
+    const S u = n.advection == Advection::upwind ? fv::upwind_value(m, rho * n.film_speed, u_below, u_above)
                                                  : S(0.5 * (u_below + u_above));
     const S w = u * g.slope_corner(2, k) + omega[1];
     const auto leave = [&](const S& u_P, int in_layer, double sign, int first) {
