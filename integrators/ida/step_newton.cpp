@@ -96,15 +96,18 @@ Outcome StepNewton::refresh(std::span<const double> x) {
   return outcome;
 }
 
-/// Rounding of row i: a few units in the last place of sum_j |J_ij y_j|.
+/// Rounding of row i: a few units in the last place of sum_j |J_ij y_j|, no y_j counting as less than its absolute tolerance: in rows of
+/// unknowns that are nothing, errors of substitution would pass for residuals.
 void StepNewton::estimate_rounding() {
   constexpr double few_units = 1e-15;
   const auto& layout = equations_.system().layout();
   const auto& pattern = equations_.system().pattern();
   std::vector<double> row(y_.size(), 0.0);
-  for (std::size_t j = 0; j < y_.size(); ++j)
+  for (std::size_t j = 0; j < y_.size(); ++j) {
+    const double size = std::max(std::abs(y_[j]), layout.fields[layout.field_of[j]].absolute_tolerance);
     for (auto k = pattern.column_starts()[j]; k < pattern.column_starts()[j + 1]; ++k)
-      row[pattern.rows()[k]] += few_units * std::abs(equations_.jacobian()[k] * y_[j]);
+      row[pattern.rows()[k]] += few_units * std::abs(equations_.jacobian()[k]) * size;
+  }
   rounding_.assign(layout.fields.size(), 0.0);
   for (std::size_t i = 0; i < row.size(); ++i) rounding_[layout.field_of[i]] += row[i] * row[i];
 }

@@ -13,8 +13,11 @@ struct Context {
   double t;                     ///< [s]
   double inlet_speed;           ///< of what is poured, normal to the base [m/s]
   double inlet_slip;            ///< along the base [m/s]
+  double poured;                ///< volume of grains a unit time and gap [m2/s]
+  double fall_x, fall_z;        ///< unit vector along which grains fall from the inlet [1]
   double rate_floor;            ///< under D_norm [1/s]
   double gravity_x, gravity_z;  ///< [m/s2]
+  double segregation_x, segregation_z;  ///< f_ga e (5.2) [m/s]
   double air_drag;              ///< of the side walls on air, a unit speed [kg/m3/s]
 
   [[nodiscard]] double rho_air() const { return parameters->numerics.air.rho; }
@@ -22,6 +25,10 @@ struct Context {
   [[nodiscard]] double grains_across() const { return parameters->grains.rho() * parameters->box.gap; }
   /// Scale of the time of a fall from the inlet [s].
   [[nodiscard]] double fall_time() const { return std::sqrt(parameters->box.height / parameters->box.gravity); }
+  /// Speed of grains in free fall after a drop from the inlet [m/s].
+  [[nodiscard]] double fall_speed(double drop) const {
+    return std::sqrt(inlet_speed * inlet_speed + inlet_slip * inlet_slip + 2.0 * parameters->box.gravity * drop);
+  }
   /// What grains weigh more than air [kg/m3].
   [[nodiscard]] double excess() const { return parameters->grains.rho() - rho_air(); }
   /// Mixture density (5.6) [kg/m3].
@@ -29,18 +36,6 @@ struct Context {
   S density(const S& phi) const {
     return rho_air() + excess() * phi;
   }
-  /// f_ga e (5.2) along x and z [m/s].
-  [[nodiscard]] double segregation_x() const { return segregation() * direction_x(); }
-  [[nodiscard]] double segregation_z() const { return segregation() * direction_z(); }
-
- private:
-  [[nodiscard]] double segregation() const {
-    const auto& n = parameters->numerics;
-    return n.sharpening == Sharpening::segregation ? n.segregation_speed : 0.0;
-  }
-  [[nodiscard]] bool along_gravity() const { return parameters->numerics.direction != Direction::base_normal; }
-  [[nodiscard]] double direction_x() const { return along_gravity() ? std::sin(parameters->box.tilt) : 0.0; }
-  [[nodiscard]] double direction_z() const { return along_gravity() ? -std::cos(parameters->box.tilt) : -1.0; }
 };
 
 }  // namespace talus::two_fluid

@@ -198,7 +198,13 @@ std::vector<Entry> numbers(double first_mass) {
       one("inflow_rate", "kg s-1", "mass poured in per second", rate_of(&Unknowns::mass_in)),
       one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second", rate_of(&Unknowns::mass_left)),
       one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second", rate_of(&Unknowns::mass_right)),
-      one("jet_heap_height", "m", "height of the heap under the jet, H of (5.12)", of(&Unknowns::heap)),
+      one("jet_heap_height", "m", "height of the heap under the jet, H of (5.12); where grains fall freely the mean over their lines",
+          [](const View& v) {
+            const auto& at = v.system.unknowns();
+            double sum = 0.0;
+            for (int line = 0; line < at.n_heaps(); ++line) sum += v.read(at.heap(line));
+            return at.n_heaps() > 0 ? sum / at.n_heaps() : 0.0;
+          }),
       one("heap_angle", "degree", "slope of the straight right face against the horizontal",
           [=](const View& v) { return v.face ? v.face->angle * to_degrees : nothing; }),
       one("apex_x", "m", "distance down the base to the thickest point", [](const View& v) { return v.apex.x; }),

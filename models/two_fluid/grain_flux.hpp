@@ -52,10 +52,10 @@ S grain_flux_x(const Context& c, int f, int k, const S& u, const Row<S>& phi, co
   const auto& g = c.mesh->grid();
   const Spacings d{g.dx(f - 1), g.dx(f), g.across_face(f - 1), g.across_face(f), g.across_face(f + 1)};
   const bool inside = c.mesh->has_cell(f - 1, k) && c.mesh->has_cell(f, k);
-  const double parting = inside ? c.segregation_x() : 0.0;
+  const double parting = inside ? c.segregation_x : 0.0;
   const S omega = c.mesh->jet().omega(g.x_nodes[f], g.z_centre(k), heap);
   const bool settles = c.parameters->numerics.direction == Direction::settling;
-  const S free = !settles ? S(1.0) : k == 0 ? S(0.0) : fv::above_zero(S(1.0 - beneath));
+  const S free = !settles ? S(1.0) : k == 0 ? S(0.0) : fv::not_less(S(1.0 - beneath));
   return grain_flux(c.parameters->numerics, d, u, parting, free, omega, phi);
 }
 
@@ -66,7 +66,7 @@ S grain_flux_z(const Context& c, int i, int k, const S& w, const Row<S>& phi, co
   const auto& g = c.mesh->grid();
   const Spacings d{g.dz(k - 1), g.dz(k), g.across_interface(k - 1), g.across_interface(k), g.across_interface(k + 1)};
   const bool inside = c.mesh->has_cell(i, k - 1) && c.mesh->has_cell(i, k);
-  const double parting = inside ? c.segregation_z() : 0.0;
+  const double parting = inside ? c.segregation_z : 0.0;
   const S omega = c.mesh->jet().omega(g.x_centre(g.column(i)), g.z_nodes[k], heap);
   return grain_flux(c.parameters->numerics, d, w, parting, S(1.0), omega, phi);
 }

@@ -46,7 +46,8 @@ std::vector<bool> reachable_cells(const Parameters& par, const grid::Rectilinear
           std::min(jet.height(g.x_nodes[i], g.z_nodes[k]), jet.height(g.x_nodes[i + 1], g.z_nodes[k]));
       const bool in_hull = under_faces(i, k) && lowest < highest + reach.margin;
       const bool at_start = g.z_nodes[k] < par.thickness + reach.margin;
-      reachable[static_cast<std::size_t>(i) * nz + k] = in_hull || at_start || near_jet(i, k, reach.margin);
+      const bool in_jet = par.numerics.jet == Jet::resolved && near_jet(i, k, reach.margin);
+      reachable[static_cast<std::size_t>(i) * nz + k] = in_hull || at_start || in_jet;
     }
   }
   return reachable;

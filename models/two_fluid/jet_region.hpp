@@ -22,6 +22,13 @@ S smooth_step(const S& x) {
       [] { return S(0.0); });
 }
 
+/// How much a cell counts as one of the heap [1]: inside a heap phi is above, in the jet below these; what lies between counts in part.
+template <class S>
+S densely_filled(const S& phi) {
+  constexpr double jet_phi = 0.3, heap_phi = 0.7;
+  return smooth_step(S((phi - jet_phi) / (heap_phi - jet_phi)));
+}
+
 /// The jet's corridor in gravity-aligned coordinates (X horizontal, Z upright), and Omega of (5.11). Z counts from where the jet's
 /// middle would meet the base.
 class JetRegion {
@@ -30,6 +37,7 @@ class JetRegion {
   JetRegion() = default;
   explicit JetRegion(const Parameters& par)
       : exists_(par.inflow.rate > 0.0),
+        resolved_(par.numerics.jet == Jet::resolved),
         sine_(std::sin(par.inflow.along_gravity ? par.box.tilt : 0.0)),
         cosine_(std::cos(par.inflow.along_gravity ? par.box.tilt : 0.0)),
         half_slot_(0.5 * inlet_width(par.inflow) * cosine_),
@@ -40,7 +48,10 @@ class JetRegion {
   }
 
   [[nodiscard]] bool exists() const { return exists_; }
-  [[nodiscard]] bool in_corridor(double x, double z) const { return exists_ && std::abs(X(x, z)) < half_; }
+  /// Whether Omega may be less than 1 at (x, z): nowhere, where grains fall freely.
+  [[nodiscard]] bool in_corridor(double x, double z) const {
+    return exists_ && resolved_ && std::abs(X(x, z)) < half_;
+  }
   /// Width of the corridor [m].
   [[nodiscard]] double width() const { return 2.0 * half_; }
   /// Whether a cell of sides dx, dz about (x, z) comes nearer to the corridor than `margin` [m].
@@ -68,7 +79,7 @@ class JetRegion {
   [[nodiscard]] double half_breadth(double dx, double dz) const { return 0.5 * (dx * cosine_ + dz * std::abs(sine_)); }
   [[nodiscard]] double X(double x, double z) const { return x * cosine_ + z * sine_ - X_jet_; }
 
-  bool exists_ = false;
+  bool exists_ = false, resolved_ = true;
   double sine_ = 0.0, cosine_ = 1.0, half_slot_ = 0.0, half_ = 0.0, clearance_ = 1.0, X_jet_ = 0.0, Z_foot_ = 0.0;
 };
 

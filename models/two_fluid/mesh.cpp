@@ -28,7 +28,9 @@ Mesh::Mesh(const Parameters& par)
       right_wall_(!par.box.right_open),
       exists_(reachable_cells(par, grid_, jet_)) {
   const int nx = grid_.n_columns(), nz = grid_.n_layers();
-  if (par.inflow.rate > 0.0) {
+  if (par.inflow.rate > 0.0 && par.numerics.jet == Jet::free_fall)
+    fall_ = fall_lines(par, grid_, [&](int i, int k) { return has_cell(i, k); });
+  else if (par.inflow.rate > 0.0) {
     const double from = par.inflow.position - 0.5 * inlet_width(par.inflow), to = from + inlet_width(par.inflow);
     for (int i = 0; i < nx; ++i) {
       const double overlap = std::min(to, grid_.x_nodes[i + 1]) - std::max(from, grid_.x_nodes[i]);

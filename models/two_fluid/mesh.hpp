@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "grid/rectilinear.hpp"
+#include "two_fluid/fall_lines.hpp"
 #include "two_fluid/jet_region.hpp"
 
 namespace talus::two_fluid {
@@ -23,6 +24,8 @@ class Mesh {
 
   [[nodiscard]] const grid::Rectilinear& grid() const { return grid_; }
   [[nodiscard]] const JetRegion& jet() const { return jet_; }
+  /// Of grains in free fall; none where the jet is resolved.
+  [[nodiscard]] const FallLines& fall() const { return fall_; }
   /// Whether the flux of grains at (x, z) may be of second order, so that it reads cells that are not beside it.
   [[nodiscard]] bool limits_at(double x, double z) const {
     return transport_ == Transport::limited || (transport_ == Transport::jet && jet_.in_corridor(x, z));
@@ -63,6 +66,7 @@ class Mesh {
 
   grid::Rectilinear grid_;
   JetRegion jet_;
+  FallLines fall_;
   Transport transport_;
   bool settles_, giver_is_left_;
   bool left_wall_, right_wall_;

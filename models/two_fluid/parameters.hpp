@@ -29,6 +29,8 @@ enum class Direction : std::uint8_t { gravity, base_normal, settling };
 enum class Transport : std::uint8_t { upwind, limited, jet };
 /// How the viscosities of grains and air make that of a mixture: (5.7), or their harmonic mean.
 enum class Averaging : std::uint8_t { arithmetic, harmonic };
+/// The jet from the inlet to the heap: solved for like all else, or known: grains in free fall, which enter the cells above the heap.
+enum class Jet : std::uint8_t { resolved, free_fall };
 /// Inertia carried along: none, first-order upwind, second-order central.
 enum class Advection : std::uint8_t { none, upwind, central };
 
@@ -53,6 +55,7 @@ struct Numerics {
   double segregation_speed = 0.1;  ///< f_ga of (5.2) [m/s]
   double counter_gradient = 1.0;   ///< c_ag of (5.8) [1]
   Direction direction = Direction::gravity;
+  Jet jet = Jet::resolved;
   bool jet_segregation = false;  ///< grains settle in the jet, too: Omega of (5.13) is 1 everywhere
   Transport transport = Transport::jet;
   Averaging averaging = Averaging::arithmetic;
@@ -66,7 +69,7 @@ struct Numerics {
   double atol_fraction = 1e-5;  ///< absolute tolerance of phi [1]
   double inlet_fraction = 0.2;  ///< phi of what is poured [1]
   double jet_margin = 0.025;    ///< of the jet region beyond the inlet's edges (5.11) [m]
-  double jet_clearance = 0.02;  ///< of the jet region above the heap (5.12) [m]
+  double jet_clearance = 0.02;  ///< of the jet region above the heap (5.12); free fall ends within it [m]
   Air air;
 };
 

@@ -7,6 +7,7 @@
 
 #include "two_fluid/terms/counter_gradient.hpp"
 #include "two_fluid/terms/forces.hpp"
+#include "two_fluid/terms/free_fall.hpp"
 #include "two_fluid/terms/inertia.hpp"
 #include "two_fluid/terms/stress.hpp"
 #include "two_fluid/terms/transport.hpp"
@@ -19,9 +20,10 @@ constexpr double fraction_bound = 3e-7;
 
 enum FieldNumber : std::uint8_t { field_u, field_w, field_phi, field_p, field_mass, field_H };
 
-Budgets budgets_of(const Parameters& par) {
+Budgets budgets_of(const Parameters& par, const Mesh& mesh) {
   const bool ends = !par.box.periodic, pours = par.inflow.rate > 0.0;
-  return {pours, ends && par.box.left_open, ends && par.box.right_open, true, pours};
+  return {pours, ends && par.box.left_open, ends && par.box.right_open, true,
+          !pours ? 0 : par.numerics.jet == Jet::resolved ? 1 : mesh.fall().n_lines};
 }
 
 core::Layout make_layout(const Parameters& par, const Mesh& mesh, const Unknowns& at) {
@@ -40,7 +42,7 @@ core::Layout make_layout(const Parameters& par, const Mesh& mesh, const Unknowns
   }
   for (const Index budget : {at.mass_in(), at.mass_left(), at.mass_right(), at.mass_top()})
     if (budget >= 0) layout.field_of[budget] = field_mass;
-  if (at.heap() >= 0) layout.field_of[at.heap()] = field_H;
+  for (int line = 0; line < at.n_heaps(); ++line) layout.field_of[at.heap(line)] = field_H;
   return layout;
 }
 
@@ -58,8 +60,9 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
   add(Storage{at(mesh.cells())});
   Rates rates{at(mesh.cells()), {}};
   for (const Index row :
-       {unknowns.mass_in(), unknowns.mass_left(), unknowns.mass_right(), unknowns.mass_top(), unknowns.heap()})
+       {unknowns.mass_in(), unknowns.mass_left(), unknowns.mass_right(), unknowns.mass_top()})
     if (row >= 0) rates.rows.push_back(row);
+  for (int line = 0; line < unknowns.n_heaps(); ++line) rates.rows.push_back(unknowns.heap(line));
   add(std::move(rates));
   add(MomentumAlong{at(mesh.faces())});
   add(MomentumUp{at(mesh.interfaces())});
@@ -76,7 +79,11 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
     add(WallFrictionAlong{at(mesh.faces())});
     add(WallFrictionUp{at(mesh.interfaces())});
   }
-  if (par.inflow.rate > 0.0) {
+  if (mesh.fall().n_lines > 0) {
+    add(FreeFall{at(mesh.cells())});
+    add(HeapOnLine{at(mesh.cells())});
+    add(HeapOnLineRelaxation{at(mesh.cells())});
+  } else if (par.inflow.rate > 0.0) {
     add(InletMomentum{at(mesh.inlet_corners())});
     add(HeapUnderJet{at(mesh.cells())});
     add(HeapRelaxation{at(mesh.cells())});
@@ -89,7 +96,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
 TwoFluid::TwoFluid(Parameters parameters)
     : parameters_(std::move(parameters)),
       mesh_(parameters_),
-      unknowns_(mesh_, budgets_of(parameters_)),
+      unknowns_(mesh_, budgets_of(parameters_, mesh_)),
       layout_(make_layout(parameters_, mesh_, unknowns_)),
       operator_(std::make_unique<fv::Operator<Context>>(unknowns_.size(), make_terms(parameters_, mesh_, unknowns_),
                                                         context(0.0))) {}
@@ -98,14 +105,22 @@ Context TwoFluid::context(double t) const {
   const Parameters& par = parameters_;
   const double volume = experiment::inflow_rate(par.inflow, t) / (par.grains.rho() * par.box.gap);
   const double speed = par.inflow.rate > 0.0 ? volume / (par.numerics.inlet_fraction * inlet_width(par.inflow)) : 0.0;
+  const Numerics& n = par.numerics;
+  const double parting = n.sharpening == Sharpening::segregation ? n.segregation_speed : 0.0;
+  const bool along_gravity = n.direction != Direction::base_normal;
   return {.parameters = &par,
           .mesh = &mesh_,
           .t = t,
           .inlet_speed = speed,
           .inlet_slip = par.inflow.along_gravity ? speed * std::tan(par.box.tilt) : 0.0,
+          .poured = volume,
+          .fall_x = par.inflow.along_gravity ? std::sin(par.box.tilt) : 0.0,
+          .fall_z = par.inflow.along_gravity ? -std::cos(par.box.tilt) : -1.0,
           .rate_floor = rheology::rate_floor(par.regularisation, par.box.height),
           .gravity_x = par.box.gravity * std::sin(par.box.tilt),
           .gravity_z = -par.box.gravity * std::cos(par.box.tilt),
+          .segregation_x = parting * (along_gravity ? std::sin(par.box.tilt) : 0.0),
+          .segregation_z = -parting * (along_gravity ? std::cos(par.box.tilt) : 1.0),
           .air_drag = 12.0 * par.numerics.air.drag_viscosity / (par.box.gap * par.box.gap)};
 }
 
@@ -125,6 +140,8 @@ void TwoFluid::initial_state(double t, std::span<double> y, std::span<double> yp
       above += weight;
     }
   }
+  for (const auto& step : mesh_.fall().steps)
+    y[unknowns_.heap(step.line)] += (step.to - step.from) * densely_filled(y[unknowns_.phi(step.i, step.k)]);
 }
 
 void TwoFluid::residual(double t, std::span<const double> y, std::span<const double> yp, std::span<double> r) const {
@@ -142,7 +159,8 @@ std::string TwoFluid::describe(core::Index row) const {
   if (row == at.mass_left()) return "mass gone over the left end";
   if (row == at.mass_right()) return "mass gone over the right end";
   if (row == at.mass_top()) return "mass gone through the top or the edge of the cells";
-  if (row == at.heap()) return "H under the jet";
+  for (int line = 0; line < at.n_heaps(); ++line)
+    if (row == at.heap(line)) return "H under the jet" + (line > 0 ? ", line " + std::to_string(line) : "");
   const auto& g = mesh_.grid();
   const auto text = [&](const char* where, int i, int k, double x, double z) {
     char buffer[128];

@@ -155,6 +155,7 @@ two_fluid::Numerics two_fluid_of(const Values& v) {
   n.segregation_speed = v.number("two_fluid.segregation_speed");
   n.counter_gradient = v.number("two_fluid.counter_gradient");
   n.direction = words::meaning(words::directions, v.text("two_fluid.direction"));
+  n.jet = words::meaning(words::jets, v.text("two_fluid.jet"));
   n.jet_segregation = v.boolean("two_fluid.jet_segregation");
   n.transport = words::meaning(words::transports, v.text("two_fluid.transport"));
   n.averaging = words::meaning(words::averagings, v.text("two_fluid.averaging"));

@@ -160,6 +160,10 @@ void numerics(Schema& s) {
                "e of (5.13): along gravity, normal to the base, or settling: along gravity, but over grains not along "
                "the base")
             .fallback(std::string("gravity")));
+  s.add(choice("jet", words::of(words::jets),
+               "from the inlet to the heap: resolved like all else, or known: grains in free fall that enter the cells "
+               "within jet_clearance above the heap")
+            .fallback(std::string("resolved")));
   s.add(boolean("jet_segregation", "segregation acts in the jet region, too, where Omega of (5.13) is 0")
             .fallback(false));
   s.add(

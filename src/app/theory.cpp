@@ -191,7 +191,8 @@ std::optional<Theory::Steady> strongest(const Scene& s) {
 
 void judge_grid(const Scene& s, Theory& theory) {
   const double dx = s.cells.columns > 0 ? s.box.length / s.cells.columns : 0.0;
-  if (s.inflow.rate > 0.0 && dx > 2.0 * s.inflow.width) {
+  const bool jet_is_known = s.model == "two_fluid" && s.two_fluid.jet == two_fluid::Jet::free_fall;
+  if (s.inflow.rate > 0.0 && !jet_is_known && dx > 2.0 * s.inflow.width) {
     theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm",
                                      1e3 * dx, 1e3 * s.inflow.width));
   }

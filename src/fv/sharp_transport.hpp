@@ -53,11 +53,18 @@ S upwind_value(const S& flux, const Scale& scale, const S& behind, const S& ahea
   return 0.5 * (behind + ahead) - 0.5 * sign * (ahead - behind);
 }
 
+/// x where it is not below 0, else a little below, never less than minus `width`: linear through 0.
+template <class S>
+S not_less(const S& x, double width = 1e-3) {
+  return core::select_above(
+      x, 0.0, [&] { return x; }, [&] { return S(x / (1.0 - x / width)); });
+}
+
 /// phi (1 - phi) for a flux that parts the phases: phi of where it comes from, 1 - phi of where it goes to. Sharp, and zero out of
 /// an empty cell and into a full one.
 template <class S>
 S parting(const S& from, const S& to) {
-  return above_zero(from) * above_zero(S(1.0 - to));
+  return not_less(from) * not_less(S(1.0 - to));
 }
 
 /// By how much phi is above 1, or minus by how much it is below 0, with smooth onsets: a flux in proportion to its difference returns

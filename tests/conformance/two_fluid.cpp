@@ -44,6 +44,9 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
                                    {"two_fluid.direction=settling"},
                                    {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
                                    {"two_fluid.direction=settling", "box.tilt=-20", "inflow.position=0.4"},
+                                   {"two_fluid.jet=free_fall"},
+                                   {"two_fluid.jet=free_fall", "two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
+                                   {"two_fluid.jet=free_fall", "box.left=wall", "two_fluid.jet_clearance=0.2"},
                                    {"two_fluid.sharpening=none"},
                                    {"two_fluid.sharpening=counter_gradient"},
                                    {"model.advection=none"},
@@ -65,6 +68,7 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
 TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
   for (const Settings& settings : {Settings{},
                                    {"box.periodic=true", "inflow.rate=0"},
+                                   {"two_fluid.jet=free_fall"},
                                    {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"}}) {
     const TwoFluid system(heap(15, 9, settings));
     const auto& at = system.unknowns();
@@ -75,7 +79,8 @@ TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
     for (const auto [f, k] : system.mesh().faces()) own(at.u(f, k));
     for (const auto [i, k] : system.mesh().interfaces()) own(at.w(i, k));
     for (const auto [i, k] : system.mesh().cells()) own(at.phi(i, k)), own(at.p(i, k));
-    for (const auto number : {at.mass_in(), at.mass_left(), at.mass_right(), at.mass_top(), at.heap()}) own(number);
+    for (const auto number : {at.mass_in(), at.mass_left(), at.mass_right(), at.mass_top()}) own(number);
+    for (int line = 0; line < at.n_heaps(); ++line) own(at.heap(line));
     for (std::size_t i = 0; i < owners.size(); ++i) EXPECT_EQ(owners[i], 1) << i;
   }
 }
@@ -87,6 +92,8 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
                                    {"two_fluid.sharpening=counter_gradient"},
                                    {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
                                    {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
+                                   {"two_fluid.jet=free_fall", "two_fluid.direction=settling"},
+                                   {"two_fluid.jet=free_fall", "two_fluid.cells=reachable"},
                                    {"two_fluid.z_grading=4"}}) {
     const TwoFluid system(heap(20, 12, settings));
     State state(system, 5);
@@ -94,7 +101,8 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
     system.residual(0.1, state.y, state.yp, state.r);
     const auto& at = system.unknowns();
     const auto& g = system.mesh().grid();
-    double grains = 0.0, volume = 0.0, size = 0.0;
+    const auto context = system.context(0.1);
+    double grains = 0.0, volume = system.mesh().fall().n_lines > 0 ? context.poured : 0.0, size = 0.0;
     for (const auto [i, k] : system.mesh().cells()) {
       grains += state.r[at.phi(i, k)];
       volume += state.r[at.continuity(i, k)];
@@ -306,7 +314,7 @@ void mirror_box(const Settings& settings) {
   }
   move(a.mass_in(), b.mass_in(), 1.0, 1.0), move(a.mass_top(), b.mass_top(), 1.0, 1.0);
   move(a.mass_left(), b.mass_right(), 1.0, 1.0), move(a.mass_right(), b.mass_left(), 1.0, 1.0);
-  move(a.heap(), b.heap(), 1.0, 1.0);
+  for (int line = 0; line < a.n_heaps(); ++line) move(a.heap(line), b.heap(a.n_heaps() - 1 - line), 1.0, 1.0);
   mirror.residual(0.1, y, yp, r);
   double largest = 0.0;
   for (const double value : expected) largest = std::max(largest, std::abs(value));
@@ -318,6 +326,89 @@ TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
   mirror_box({"two_fluid.x_grading=2"});
   mirror_box({"two_fluid.cells=reachable", "two_fluid.reach_margin=0"});
   mirror_box({"two_fluid.direction=settling", "two_fluid.jet_segregation=true"});
+  mirror_box({"two_fluid.direction=settling", "two_fluid.jet=free_fall"});
+}
+
+/// Lines of fall are straight along gravity, without gaps, through cells that hold them, from the base to the inlet.
+TEST(TwoFluid, LinesOfFallLeadFromTheInletToTheBase) {
+  for (const Settings& settings : {Settings{},
+                                   {"two_fluid.x_grading=3", "two_fluid.z_grading=0.3"},
+                                   {"box.tilt=-20", "inflow.position=0.4"},
+                                   {"box.tilt=0"}}) {
+    Settings all = settings;
+    all.emplace_back("two_fluid.jet=free_fall");
+    const TwoFluid system(heap(23, 17, all));
+    const auto& g = system.mesh().grid();
+    const auto& par = system.parameters();
+    const auto& fall = system.mesh().fall();
+    const double inlet = std::sqrt(12.0) * par.inflow.width, tilt = par.box.tilt;
+    ASSERT_GE(fall.n_lines, 4);
+    double before = 0.0, x_mean = 0.0;
+    for (const auto& s : fall.steps) {
+      if (s.lowest) {
+        EXPECT_EQ(s.from, 0.0);
+        EXPECT_EQ(s.k, 0);
+      } else {
+        EXPECT_EQ(s.from, before);
+      }
+      before = s.to;
+      const double z = par.box.height - s.drop * std::cos(tilt);
+      const double x = par.inflow.position + inlet * ((s.line + 0.5) / fall.n_lines - 0.5) + s.drop * std::sin(tilt);
+      EXPECT_TRUE(x > g.x_nodes[s.i] && x < g.x_nodes[s.i + 1] && z > g.z_nodes[s.k] && z < g.z_nodes[s.k + 1]);
+      if (!s.highest) continue;
+      EXPECT_EQ(s.k, g.n_layers() - 1);
+      EXPECT_NEAR(s.to, par.box.height / std::cos(tilt), 1e-14);
+      x_mean += x / fall.n_lines;
+    }
+    EXPECT_NEAR(x_mean, par.inflow.position, 0.05);
+    EXPECT_EQ(std::ranges::count_if(fall.steps, [](const auto& s) { return s.highest; }), fall.n_lines);
+  }
+}
+
+/// Wherever the heap ends, all that is poured enters the cells, within the clearance above it, with the momentum of its fall.
+TEST(TwoFluid, WhatFallsFreelyEntersAboveTheHeapWithItsMomentum) {
+  const TwoFluid system(heap(60, 30, {"two_fluid.jet=free_fall"}));
+  const auto& at = system.unknowns();
+  const auto& par = system.parameters();
+  const auto& fall = system.mesh().fall();
+  const auto context = system.context(10.0);
+  const double clearance = par.numerics.jet_clearance, tilt = par.box.tilt, length = par.box.height / std::cos(tilt);
+  std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y), before(y);
+  for (const double H : {0.03, 0.0333, 0.1, 0.2}) {
+    for (int line = 0; line < at.n_heaps(); ++line) y[at.heap(line)] = H;
+    system.residual(0.0, y, yp, before);  // nothing is poured yet
+    system.residual(10.0, y, yp, r);
+    std::set<core::Index> within;
+    for (const auto& s : fall.steps)
+      if (s.to > H && s.from < H + clearance) within.insert(at.phi(s.i, s.k));
+    double volume = 0.0, along = 0.0, up = 0.0;
+    for (const auto [i, k] : system.mesh().cells()) {
+      const double enters = before[at.phi(i, k)] - r[at.phi(i, k)];
+      volume += enters;
+      EXPECT_EQ(enters > 0.0, within.contains(at.phi(i, k))) << i << ' ' << k << ' ' << H;
+      EXPECT_EQ(enters, before[at.continuity(i, k)] - r[at.continuity(i, k)]);
+    }
+    for (const auto [f, k] : system.mesh().faces()) along += before[at.momentum_u(f, k)] - r[at.momentum_u(f, k)];
+    for (const auto [i, k] : system.mesh().interfaces()) up += before[at.momentum_w(i, k)] - r[at.momentum_w(i, k)];
+    EXPECT_NEAR(volume, context.poured, 1e-15);
+    EXPECT_NEAR(before[at.mass_in()] - r[at.mass_in()], 0.0046, 1e-15);
+    EXPECT_NEAR(up / along, -1.0 / std::tan(tilt), 1e-12);
+    const double speed = std::hypot(along, up) / (par.grains.rho() * volume), g = par.box.gravity;
+    EXPECT_GT(speed, std::sqrt(2.0 * g * (length - H - clearance)));
+    EXPECT_LT(speed, std::sqrt(2.0 * g * (length - H) + std::pow(context.inlet_speed / std::cos(tilt), 2)));
+  }
+}
+
+/// The height along each line is the length that grains have of it.
+TEST(TwoFluid, TheHeightOnALineIsWhatGrainsHaveOfIt) {
+  const TwoFluid system(heap(30, 15, {"two_fluid.jet=free_fall", "model.initial_thickness=0.08"}));
+  const auto& at = system.unknowns();
+  std::vector<double> y(system.layout().size()), yp(y), r(y);
+  system.initial_state(0.0, y, yp);
+  const double height = 0.08 / std::cos(system.parameters().box.tilt);
+  for (int line = 0; line < at.n_heaps(); ++line) EXPECT_NEAR(y[at.heap(line)], height, 1e-12);
+  system.residual(0.0, y, yp, r);
+  for (int line = 0; line < at.n_heaps(); ++line) EXPECT_NEAR(r[at.heap(line)], 0.0, 1e-12);
 }
 
 /// However the inlet falls on the columns, what is poured is what the scene says.

@@ -49,16 +49,41 @@ TEST(SharpTransport, HasContinuousDerivatives) {
   }
   const auto onset = [](double x) { return fv::above_zero(core::Dual<1>::input(x, 0)).slope[0]; };
   EXPECT_NEAR(onset(-1e-10), onset(1e-10), 1e-5);
+  const auto through_zero = [](double x) { return fv::not_less(core::Dual<1>::input(x, 0)).slope[0]; };
+  EXPECT_NEAR(through_zero(-1e-10), through_zero(1e-10), 1e-5);
 }
 
 TEST(SharpTransport, NothingPartsFromWhatIsEmptyOrIntoWhatIsFull) {
   for (const double other : {-0.1, 0.0, 0.3, 1.0, 1.1}) {
     EXPECT_EQ(fv::parting(0.0, other), 0.0);
-    EXPECT_EQ(fv::parting(-0.2, other), 0.0);
     EXPECT_EQ(fv::parting(other, 1.0), 0.0);
-    EXPECT_EQ(fv::parting(other, 1.3), 0.0);
   }
-  EXPECT_NEAR(fv::parting(0.5, 0.5), 0.25, 1e-3);
+  EXPECT_EQ(fv::parting(0.5, 0.5), 0.25);
+}
+
+/// What errors of iteration have put out of bounds comes back, by little: no runaway, however far out both cells are.
+TEST(SharpTransport, WhatIsOutOfBoundsIsNotDrivenFurther) {
+  for (const double out : {1e-7, 1e-3, 0.3, 30.0}) {
+    for (const double other : {0.0, 0.4, 0.999}) {
+      EXPECT_LT(fv::parting(-out, other), 0.0);           // to the empty giver
+      EXPECT_LT(fv::parting(1.0 - other, 1.0 + out), 0.0);  // from the full taker
+      EXPECT_GT(fv::parting(-out, other), -1e-3);
+    }
+    EXPECT_GE(fv::parting(-out, 1.0 + out), 0.0);
+    EXPECT_LT(fv::parting(-out, 1.0 + out), 1e-6);
+  }
+}
+
+/// The derivative by either cell never changes its sign within the bounds, nor beyond them while the other cell keeps to them.
+TEST(SharpTransport, PartingIsMonotone) {
+  using Dual = core::Dual<2>;
+  for (double giver = -0.5; giver <= 1.5; giver += 0.01) {
+    for (double taker = -0.5; taker <= 1.5; taker += 0.01) {
+      const auto slope = fv::parting(Dual::input(giver, 0), Dual::input(taker, 1)).slope;
+      EXPECT_TRUE(taker > 1.0 || slope[0] >= 0.0) << giver << ' ' << taker;
+      EXPECT_TRUE(giver < 0.0 || slope[1] <= 0.0) << giver << ' ' << taker;
+    }
+  }
 }
 
 TEST(SharpTransport, AFluxTakesWhatTheGiverHas) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "rheology/viscosity.hpp"
 #include "rheology/wall_friction.hpp"
 #include "two_fluid/terms/kernel.hpp"
@@ -60,17 +62,25 @@ struct MomentumUp : Kernel {
   }
 };
 
+/// The two halves of a momentum volume: their sizes [m2], and the longer cell's length along the component [m].
+struct Halves {
+  double first, second, length;
+};
+
 /// Side-wall friction (2 Omega/W) phi mu_w p u/|u| of (5.15) on the component u that is known at a place, `across` the other one,
-/// taken there; with phi and p of the two halves of the momentum volume.
+/// taken there; with phi and p of the two halves of the momentum volume, weighted as friction itself makes pressure fall.
 template <class S>
-S wall_drag(const Context& c, double first, double second, const S& u, const S& across, const S* phi, const S* p,
+S wall_drag(const Context& c, const Halves& halves, const S& u, const S& across, const S* phi, const S* p,
             const S& omega) {
   const double p_0 = c.parameters->regularisation.p_0;
   const Wall& wall = c.parameters->wall;
-  const S load = first * phi[0] * rheology::positive_pressure(p[0], p_0) +
-                 second * phi[1] * rheology::positive_pressure(p[1], p_0);
-  return (2.0 * wall.mu_w / c.parameters->box.gap) * omega * load *
-         rheology::friction_direction(S(u * u + across * across), wall.u_c) * u;
+  const double a_unit_length = 2.0 * wall.mu_w / c.parameters->box.gap;
+  const S turn = rheology::friction_direction(S(u * u + across * across), wall.u_c);
+  const S direction = omega * turn * u;
+  const S behind = rheology::weight_behind(S(a_unit_length * halves.length * direction));
+  const S load = 2.0 * halves.first * behind * phi[0] * rheology::positive_pressure(p[0], p_0) +
+                 2.0 * halves.second * (1.0 - behind) * phi[1] * rheology::positive_pressure(p[1], p_0);
+  return a_unit_length * load * direction;
 }
 
 struct WallFrictionAlong : Kernel {
@@ -89,7 +99,7 @@ struct WallFrictionAlong : Kernel {
     const double share = mesh->has_cell(f - 1, k) && mesh->has_cell(f, k) ? 0.25 : 0.5;
     const S w = share * (in.y[w_] + in.y[w_ + 1] + in.y[w_ + 2] + in.y[w_ + 3]);
     const S omega = mesh->jet().omega(grid().x_nodes[f], grid().z_centre(k), in.y[heap_]);
-    out[0] += wall_drag(c, half_cell(f - 1, k), half_cell(f, k), in.y[u_], w, &in.y[phi_], &in.y[p_], omega);
+    out[0] += wall_drag(c, {half_cell(f - 1, k), half_cell(f, k), std::max(grid().dx(f - 1), grid().dx(f))}, in.y[u_], w, &in.y[phi_], &in.y[p_], omega);
   }
 };
 
@@ -109,7 +119,7 @@ struct WallFrictionUp : Kernel {
     const double share = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k) ? 0.25 : 0.5;
     const S u = share * (in.y[u_] + in.y[u_ + 1] + in.y[u_ + 2] + in.y[u_ + 3]);
     const S omega = mesh->jet().omega(grid().x_centre(i), grid().z_nodes[k], in.y[heap_]);
-    out[0] += wall_drag(c, half_cell(i, k - 1), half_cell(i, k), in.y[w_], u, &in.y[phi_], &in.y[p_], omega);
+    out[0] += wall_drag(c, {half_cell(i, k - 1), half_cell(i, k), std::max(grid().dz(k - 1), grid().dz(k))}, in.y[w_], u, &in.y[phi_], &in.y[p_], omega);
   }
 };
 

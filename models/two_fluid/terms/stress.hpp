@@ -18,7 +18,7 @@ struct CentreSlots {
     in[p_] = at.p(i, k);
     in[phi_] = at.phi(i, k);
   }
-  /// D_xx of the cell; D_xz the mean of its corners', a corner that is not amid cells bearing no shear.
+  /// Deviator D_xx of the cell, free of what pours into it; D_xz the mean of its corners', a corner that is not amid cells bearing no shear.
   template <class S>
   static Strain<S> strain(const Mesh& mesh, int i, int k, const std::array<S, n_in>& y) {
     const auto& g = mesh.grid();
@@ -32,7 +32,7 @@ struct CentreSlots {
         D_xz += 0.125 * (du / g.across_interface(interface) + dw / g.across_face(f));
       }
     }
-    return {S((y[u_ + 3] - y[u_ + 2]) / g.dx(i)), D_xz};
+    return {S(0.5 * ((y[u_ + 3] - y[u_ + 2]) / g.dx(i) - (y[w_ + 3] - y[w_ + 2]) / g.dz(k))), D_xz};
   }
 };
 
@@ -49,17 +49,16 @@ struct CentreStress : Kernel {
   template <class S>
   void evaluate(const Context& c, Index number, const fv::Inputs<S, n_in>& in, std::array<S, n_out>& out) const {
     const auto [i, k] = place(number);
-    const auto& y = in.y;
-    const auto strain = CentreSlots::strain(*mesh, i, k, y);
+    const auto strain = CentreSlots::strain(*mesh, i, k, in.y);
     const S eta =
-        mixture_viscosity(c, y[CentreSlots::phi_], grain_viscosity(c, strain.norm_squared(), y[CentreSlots::p_]));
+        mixture_viscosity(c, in.y[CentreSlots::phi_], grain_viscosity(c, strain.norm_squared(), in.y[CentreSlots::p_]));
     const double dx = grid().dx(i), dz = grid().dz(k);
     const S pull_x = 2.0 * eta * strain.D_xx * dz;
-    const S pull_z = 2.0 * eta * (y[CentreSlots::w_ + 3] - y[CentreSlots::w_ + 2]) * (dx / dz);
+    const S pull_z = 2.0 * eta * strain.D_xx * dx;  // D_zz = -D_xx
     out[0] -= pull_x;
     out[1] += pull_x;
-    out[2] -= pull_z;
-    out[3] += pull_z;
+    out[2] += pull_z;
+    out[3] -= pull_z;
   }
 };
 

@@ -96,9 +96,6 @@ struct Rates : Kernel {
   }
 };
 
-/// Inside a heap phi is above, in the jet below these [1]: what lies between counts in part.
-inline constexpr double jet_phi = 0.3, heap_phi = 0.7;
-
 /// The heap's height H in the jet's corridor, for the highest point in (5.12): the mean of the fourth power of the heights of dense
 /// grains over the corridor's width, H^4 = (1/width) sum of 4 Z^3 over their cells; H follows it within the time of a free fall from
 /// the inlet.
@@ -118,7 +115,7 @@ struct HeapUnderJet : Kernel {
     const double Z = jet.height(grid().x_centre(i), grid().z_centre(k));
     const double power = share(i, k) * grid().dx(i) * grid().dz(k) / jet.width() * 4.0 * Z * Z * Z;
     const S H = in.y[1] + jet.clearance();
-    out[0] -= (power / c.fall_time()) * smooth_step(S((in.y[0] - jet_phi) / (heap_phi - jet_phi))) / (4.0 * H * H * H);
+    out[0] -= (power / c.fall_time()) * densely_filled(in.y[0]) / (4.0 * H * H * H);
   }
 
  private:
