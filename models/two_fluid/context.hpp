@@ -10,15 +10,15 @@ namespace talus::two_fluid {
 struct Context {
   const Parameters* parameters;
   const Mesh* mesh;
-  double t;                     ///< [s]
-  double inlet_speed;           ///< of what is poured, normal to the base [m/s]
-  double inlet_slip;            ///< along the base [m/s]
-  double poured;                ///< volume of grains a unit time and gap [m2/s]
-  double fall_x, fall_z;        ///< unit vector along which grains fall from the inlet [1]
-  double rate_floor;            ///< under D_norm [1/s]
-  double gravity_x, gravity_z;  ///< [m/s2]
+  double t;                             ///< [s]
+  double inlet_speed;                   ///< of what is poured, normal to the base [m/s]
+  double inlet_slip;                    ///< along the base [m/s]
+  double poured;                        ///< volume of grains a unit time and gap [m2/s]
+  double fall_x, fall_z;                ///< unit vector along which grains fall from the inlet [1]
+  double rate_floor;                    ///< under D_norm [1/s]
+  double gravity_x, gravity_z;          ///< [m/s2]
   double segregation_x, segregation_z;  ///< f_ga e (5.2) [m/s]
-  double air_drag;              ///< of the side walls on air, a unit speed [kg/m3/s]
+  double air_drag;                      ///< of the side walls on air, a unit speed [kg/m3/s]
 
   [[nodiscard]] double rho_air() const { return parameters->numerics.air.rho; }
   /// Mass of grains a unit area between the side walls [kg/m2].

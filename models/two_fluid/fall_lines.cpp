@@ -39,7 +39,8 @@ FallLines fall_lines(const Parameters& par, const grid::Rectilinear& g, const st
     double foot = 0.0;
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
       const double middle = 0.5 * (cuts[c] + cuts[c + 1]);
-      const int i = interval(g.x_nodes, x_inlet + middle * sine), k = interval(g.z_nodes, par.box.height - middle * cosine);
+      const int i = interval(g.x_nodes, x_inlet + middle * sine),
+                k = interval(g.z_nodes, par.box.height - middle * cosine);
       if (!(cuts[c] > cuts[c + 1]) || !g.has_column(i) || !has_cell(i, k)) continue;
       if (fall.steps.size() == first) foot = cuts[c];
       fall.steps.push_back({line, i, k, foot - cuts[c], foot - cuts[c + 1], middle, false, false});

@@ -198,7 +198,8 @@ std::vector<Entry> numbers(double first_mass) {
       one("inflow_rate", "kg s-1", "mass poured in per second", rate_of(&Unknowns::mass_in)),
       one("outflow_rate_left", "kg s-1", "mass leaving over the left end per second", rate_of(&Unknowns::mass_left)),
       one("outflow_rate_right", "kg s-1", "mass leaving over the right end per second", rate_of(&Unknowns::mass_right)),
-      one("jet_heap_height", "m", "height of the heap under the jet, H of (5.12); where grains fall freely the mean over their lines",
+      one("jet_heap_height", "m",
+          "height of the heap under the jet, H of (5.12); where grains fall freely the mean over their lines",
           [](const View& v) {
             const auto& at = v.system.unknowns();
             double sum = 0.0;

@@ -49,9 +49,7 @@ class JetRegion {
 
   [[nodiscard]] bool exists() const { return exists_; }
   /// Whether Omega may be less than 1 at (x, z): nowhere, where grains fall freely.
-  [[nodiscard]] bool in_corridor(double x, double z) const {
-    return exists_ && resolved_ && std::abs(X(x, z)) < half_;
-  }
+  [[nodiscard]] bool in_corridor(double x, double z) const { return exists_ && resolved_ && std::abs(X(x, z)) < half_; }
   /// Width of the corridor [m].
   [[nodiscard]] double width() const { return 2.0 * half_; }
   /// Whether a cell of sides dx, dz about (x, z) comes nearer to the corridor than `margin` [m].

@@ -11,9 +11,8 @@ namespace {
 grid::Rectilinear make_grid(const Parameters& par) {
   if (par.grid.columns < 1 || par.grid.layers < 2)
     throw std::invalid_argument("two_fluid: needs a column and two layers");
-  return {.x_nodes = grid::geometric_nodes(par.grid.columns, par.box.length, par.grid.x_ratio),
-          .z_nodes = grid::geometric_nodes(par.grid.layers, par.box.height, par.grid.z_ratio),
-          .periodic = par.box.periodic};
+  return {grid::geometric_nodes(par.grid.columns, par.box.length, par.grid.x_ratio),
+          grid::geometric_nodes(par.grid.layers, par.box.height, par.grid.z_ratio), par.box.periodic};
 }
 
 }  // namespace
@@ -28,6 +27,8 @@ Mesh::Mesh(const Parameters& par)
       right_wall_(!par.box.right_open),
       exists_(reachable_cells(par, grid_, jet_)) {
   const int nx = grid_.n_columns(), nz = grid_.n_layers();
+  for (int i = 0; i < nx; ++i)
+    for (int k = 0; k < nz; ++k) inner_.push_back(lies_inside(i, k));
   if (par.inflow.rate > 0.0 && par.numerics.jet == Jet::free_fall)
     fall_ = fall_lines(par, grid_, [&](int i, int k) { return has_cell(i, k); });
   else if (par.inflow.rate > 0.0) {
@@ -51,6 +52,22 @@ Mesh::Mesh(const Parameters& par)
     }
     if (inlet_share(f - 1) > 0.0 || inlet_share(f) > 0.0) inlet_corners_.push_back({f, nz});
   }
+}
+
+/// Whether all cells that any term about the lower left corner, face or interface of a cell reads exist, are as high, and lie away from the
+/// jet region.
+bool Mesh::lies_inside(int i, int k) const {
+  constexpr int before = 2, after = 2;
+  for (int di = -before; di <= after; ++di) {
+    for (int dk = -before; dk <= after; ++dk) {
+      if (!grid_.has_column(i + di) || !has_cell(i + di, k + dk) || grid_.dz(k + dk) != grid_.dz(k)) return false;
+      const int column = grid_.column(i + di);
+      if (jet_.in_corridor(grid_.x_nodes[column], grid_.z_centre(k + dk)) ||
+          jet_.in_corridor(grid_.x_centre(column), grid_.z_nodes[k + dk]))
+        return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace talus::two_fluid

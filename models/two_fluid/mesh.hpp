@@ -52,6 +52,12 @@ class Mesh {
     return !grid_.periodic && ((f == 0 && left_wall_) || (f == grid_.n_columns() && right_wall_));
   }
 
+  /// Whether terms at cell (i, k), at its left face, its lower interface and its lower left corner go the same way through their code as
+  /// one layer higher or lower, where that is inside, too.
+  [[nodiscard]] bool is_inside(int i, int k) const {
+    return grid_.has_column(i) && grid_.has_layer(k) && inner_[number(i, k)];
+  }
+
   [[nodiscard]] const std::vector<Place>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<Place>& faces() const { return faces_; }            ///< of columns: where u is
   [[nodiscard]] const std::vector<Place>& interfaces() const { return interfaces_; }  ///< above the base: where w is
@@ -60,6 +66,7 @@ class Mesh {
   [[nodiscard]] const std::vector<Place>& inlet_corners() const { return inlet_corners_; }
 
  private:
+  [[nodiscard]] bool lies_inside(int i, int k) const;
   [[nodiscard]] std::size_t number(int i, int k) const {
     return static_cast<std::size_t>(grid_.column(i)) * grid_.n_layers() + k;
   }
@@ -70,7 +77,7 @@ class Mesh {
   Transport transport_;
   bool settles_, giver_is_left_;
   bool left_wall_, right_wall_;
-  std::vector<bool> exists_;  ///< each cell, column by column
+  std::vector<bool> exists_, inner_;  ///< each cell, column by column
   std::vector<double> inlet_;
   std::vector<Place> cells_, faces_, interfaces_, corners_, base_, inlet_corners_;
 };

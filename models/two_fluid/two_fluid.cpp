@@ -23,7 +23,9 @@ enum FieldNumber : std::uint8_t { field_u, field_w, field_phi, field_p, field_ma
 Budgets budgets_of(const Parameters& par, const Mesh& mesh) {
   const bool ends = !par.box.periodic, pours = par.inflow.rate > 0.0;
   return {pours, ends && par.box.left_open, ends && par.box.right_open, true,
-          !pours ? 0 : par.numerics.jet == Jet::resolved ? 1 : mesh.fall().n_lines};
+          !pours                              ? 0
+          : par.numerics.jet == Jet::resolved ? 1
+                                              : mesh.fall().n_lines};
 }
 
 core::Layout make_layout(const Parameters& par, const Mesh& mesh, const Unknowns& at) {
@@ -59,8 +61,7 @@ fv::Operator<Context>::Terms make_terms(const Parameters& par, const Mesh& mesh,
   }
   add(Storage{at(mesh.cells())});
   Rates rates{at(mesh.cells()), {}};
-  for (const Index row :
-       {unknowns.mass_in(), unknowns.mass_left(), unknowns.mass_right(), unknowns.mass_top()})
+  for (const Index row : {unknowns.mass_in(), unknowns.mass_left(), unknowns.mass_right(), unknowns.mass_top()})
     if (row >= 0) rates.rows.push_back(row);
   for (int line = 0; line < unknowns.n_heaps(); ++line) rates.rows.push_back(unknowns.heap(line));
   add(std::move(rates));

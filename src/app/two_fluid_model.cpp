@@ -43,7 +43,8 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
       refuse("box.right", "grains that are poured must find a way out; expected an open end");
   }
   if (scene.two_fluid.jet == two_fluid::Jet::free_fall && scene.two_fluid.jet_segregation)
-    refuse("two_fluid.jet_segregation", "no jet region is left where grains fall freely; expected false, or two_fluid.jet = \"resolved\"");
+    refuse("two_fluid.jet_segregation",
+           "no jet region is left where grains fall freely; expected false, or two_fluid.jet = \"resolved\"");
   if (scene.two_fluid.reach.limited) {
     if (!(scene.inflow.rate > 0.0))
       refuse("two_fluid.cells",

@@ -28,7 +28,8 @@ inline constexpr Table<two_fluid::Sharpening, 3> sharpenings{
     {{"none", two_fluid::Sharpening::none},
      {"segregation", two_fluid::Sharpening::segregation},
      {"counter_gradient", two_fluid::Sharpening::counter_gradient}}};
-inline constexpr Table<two_fluid::Jet, 2> jets{{{"resolved", two_fluid::Jet::resolved}, {"free_fall", two_fluid::Jet::free_fall}}};
+inline constexpr Table<two_fluid::Jet, 2> jets{
+    {{"resolved", two_fluid::Jet::resolved}, {"free_fall", two_fluid::Jet::free_fall}}};
 inline constexpr Table<two_fluid::Direction, 3> directions{{{"gravity", two_fluid::Direction::gravity},
                                                             {"base_normal", two_fluid::Direction::base_normal},
                                                             {"settling", two_fluid::Direction::settling}}};

@@ -116,7 +116,8 @@ class KernelTerm final : public Term<Context> {
       if (!group.packed) {
         add_places(context, group.begin, group.end, y, yp, r);
       } else if constexpr (in_packs) {
-        add_packs(context, group, y.data(), yp.data(), r.data());
+        if (group.whole) add_packs<true>(context, group, y.data(), yp.data(), r.data());
+        else add_packs<false>(context, group, y.data(), yp.data(), r.data());
       }
     }
   }
@@ -171,10 +172,11 @@ class KernelTerm final : public Term<Context> {
     return static_cast<Number>(index);
   }
 
-  /// Places that follow each other; if packed, they are alike, all their inputs are there, and they fill a pack.
+  /// Places that follow each other; if packed, they are alike, have the same inputs, and fill a pack.
   struct Group {
     Number begin, end;
     bool packed;
+    bool whole;  ///< no input is absent
   };
 
   void group() requires in_packs {
@@ -185,12 +187,12 @@ class KernelTerm final : public Term<Context> {
       for (Index place = static_cast<Index>(part.begin(in_.size())), next; place < end; place = next) {
         const Index end_of_alike = std::min(place + kernel_.alike(place), end);
         next = place;
-        while (next < end_of_alike && all_there(next)) ++next;
+        while (next < end_of_alike && same_inputs(place, next)) ++next;
         const bool packed = next - place >= lanes;
         next = std::max(next, place + 1);
         const bool goes_on = !packed && groups_.size() > group_start_.back() && !groups_.back().packed;
         if (goes_on) groups_.back().end = number(next);
-        else groups_.push_back({number(place), number(next), packed});
+        else groups_.push_back({number(place), number(next), packed, packed && all_there(place)});
       }
     }
     group_start_.push_back(groups_.size());
@@ -200,6 +202,14 @@ class KernelTerm final : public Term<Context> {
     return std::ranges::all_of(in_[place], [](Number index) { return index >= 0; });
   }
 
+  /// Whether two places read the same of their inputs, and none with the opposite sign.
+  [[nodiscard]] bool same_inputs(Index a, Index b) const {
+    return std::ranges::equal(in_[a], in_[b], [](Number at_a, Number at_b) {
+      return (at_a < 0) == (at_b < 0) && std::min(at_a, at_b) >= -1;
+    });
+  }
+
+  template <bool whole>
   void add_packs(const Context& context, const Group& group, const double* y, const double* yp, double* r) const {
     Inputs<core::Pack, n_in> inputs{};
     std::array<core::Pack, n_out> out;
@@ -207,6 +217,7 @@ class KernelTerm final : public Term<Context> {
       const Number first = std::min(at, group.end - lanes);  // the last pack may take places a second time
       for (int i = 0; i < n_in; ++i) {
         const auto gathered = [&](const double* from) {
+          if (!whole && in_[first][i] < 0) return core::Pack(0.0);
           return core::Pack(from[in_[first][i]], from[in_[first + 1][i]], from[in_[first + 2][i]],
                             from[in_[first + 3][i]]);
         };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace talus::grid {
@@ -21,7 +22,16 @@ inline std::vector<double> geometric_nodes(int n, double length, double ratio) {
 
 /// A fixed grid of upright rectangles, of any spacing in each direction. Cell (i, k) lies between faces i and i + 1 and between
 /// interfaces k and k + 1.
-struct Rectilinear {
+class Rectilinear {
+ public:
+  /// `x_nodes`, `z_nodes`: ascending. Steps that differ by rounding alone are the same to the last bit.
+  Rectilinear(std::vector<double> x, std::vector<double> z, bool is_periodic)
+      : x_nodes(std::move(x)),
+        z_nodes(std::move(z)),
+        periodic(is_periodic),
+        x_steps_(steps(x_nodes)),
+        z_steps_(steps(z_nodes)) {}
+
   std::vector<double> x_nodes;  ///< faces [m], shape n_columns + 1
   std::vector<double> z_nodes;  ///< interfaces [m], shape n_layers + 1
   bool periodic;                ///< the last face is the first
@@ -44,11 +54,8 @@ struct Rectilinear {
   [[nodiscard]] bool is_end(int f) const { return !periodic && (f == 0 || f == n_columns()); }
 
   /// Width of the column nearest to `i`, height of the layer nearest to `k` [m].
-  [[nodiscard]] double dx(int i) const { return x_nodes[column(i) + 1] - x_nodes[column(i)]; }
-  [[nodiscard]] double dz(int k) const {
-    const int layer = k < 0 ? 0 : (k >= n_layers() ? n_layers() - 1 : k);
-    return z_nodes[layer + 1] - z_nodes[layer];
-  }
+  [[nodiscard]] double dx(int i) const { return x_steps_[column(i)]; }
+  [[nodiscard]] double dz(int k) const { return z_steps_[k < 0 ? 0 : (k >= n_layers() ? n_layers() - 1 : k)]; }
   [[nodiscard]] double x_centre(int i) const { return 0.5 * (x_nodes[i] + x_nodes[i + 1]); }
   [[nodiscard]] double z_centre(int k) const { return 0.5 * (z_nodes[k] + z_nodes[k + 1]); }
   /// Between the middles of the columns beside face f, of the layers beside interface k [m]; beyond an end lies the mirror image.
@@ -61,6 +68,20 @@ struct Rectilinear {
   [[nodiscard]] double height_about(int k) const {
     return 0.5 * ((has_layer(k - 1) ? dz(k - 1) : 0.0) + (has_layer(k) ? dz(k) : 0.0));
   }
+
+ private:
+  static std::vector<double> steps(const std::vector<double>& nodes) {
+    constexpr double rounding = 1e-12;
+    std::vector<double> all;
+    const double mean = (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
+    for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+      const double step = nodes[n + 1] - nodes[n];
+      all.push_back(std::abs(step - mean) < rounding * mean ? mean : step);
+    }
+    return all;
+  }
+
+  std::vector<double> x_steps_, z_steps_;  // [m]
 };
 
 }  // namespace talus::grid

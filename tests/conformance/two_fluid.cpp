@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cfenv>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -33,28 +35,32 @@ struct State {
   }
 };
 
+/// Each switch of the model.
+const std::vector<Settings> switches{
+    Settings{"two_fluid.transport=upwind"},
+    {"two_fluid.transport=limited"},
+    {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
+    {"two_fluid.averaging=harmonic"},
+    {"two_fluid.base_film=true"},
+    {"two_fluid.direction=base_normal"},
+    {"two_fluid.direction=settling"},
+    {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
+    {"two_fluid.direction=settling", "box.tilt=-20", "inflow.position=0.4"},
+    {"two_fluid.jet=free_fall"},
+    {"two_fluid.jet=free_fall", "two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
+    {"two_fluid.jet=free_fall", "box.left=wall", "two_fluid.jet_clearance=0.2"},
+    {"two_fluid.sharpening=none"},
+    {"two_fluid.sharpening=counter_gradient"},
+    {"model.advection=none"},
+    {"model.advection=central"},
+    {"two_fluid.x_grading=3", "two_fluid.z_grading=5"},
+    {"box.left=wall"},
+    {"two_fluid.jet_clearance=0.2"},
+    {"box.tilt=-20", "inflow.position=0.4"}};
+
 /// The Jacobian with each switch of the model.
 TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
-  for (const Settings& settings : {Settings{"two_fluid.transport=upwind"},
-                                   {"two_fluid.transport=limited"},
-                                   {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
-                                   {"two_fluid.averaging=harmonic"},
-                                   {"two_fluid.base_film=true"},
-                                   {"two_fluid.direction=base_normal"},
-                                   {"two_fluid.direction=settling"},
-                                   {"two_fluid.direction=settling", "two_fluid.jet_segregation=true"},
-                                   {"two_fluid.direction=settling", "box.tilt=-20", "inflow.position=0.4"},
-                                   {"two_fluid.jet=free_fall"},
-                                   {"two_fluid.jet=free_fall", "two_fluid.cells=reachable", "two_fluid.reach_margin=0"},
-                                   {"two_fluid.jet=free_fall", "box.left=wall", "two_fluid.jet_clearance=0.2"},
-                                   {"two_fluid.sharpening=none"},
-                                   {"two_fluid.sharpening=counter_gradient"},
-                                   {"model.advection=none"},
-                                   {"model.advection=central"},
-                                   {"two_fluid.x_grading=3", "two_fluid.z_grading=5"},
-                                   {"box.left=wall"},
-                                   {"two_fluid.jet_clearance=0.2"},
-                                   {"box.tilt=-20", "inflow.position=0.4"}}) {
+  for (const Settings& settings : switches) {
     const TwoFluid system(heap(9, 5, settings));
     for (const unsigned seed : {1U, 2U}) {
       const State state(system, seed);
@@ -62,6 +68,26 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
       EXPECT_LT(tests::jacobian_error(system, 0.1, state.y, state.yp, 50.0, worst), 1e-6)
           << settings[0] << ", seed " << seed << ": " << system.describe(worst);
     }
+  }
+}
+
+/// On a grid that is deep enough for places inside it, as `EveryModel` does it for small ones.
+TEST(TwoFluid, PlacesInPacksGiveTheBitsOfPlacesOneByOneWithEachSwitch) {
+  for (const Settings& settings : switches) {
+    const TwoFluid system(heap(23, 17, settings));
+    State state(system, 7);
+    auto one_by_one = state.r;
+    ASSERT_EQ(fegetexcept(), 0);
+    feenableexcept(FE_DIVBYZERO);  // what asks for places one by one
+    system.residual(0.1, state.y, state.yp, one_by_one);
+    fedisableexcept(FE_DIVBYZERO);
+    for (core::Index i = 0; i < system.layout().size(); ++i)
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(state.r[i]), std::bit_cast<std::uint64_t>(one_by_one[i]))
+          << settings[0] << ": " << system.describe(i);
+    int inside = 0;
+    for (const auto [i, k] : system.mesh().cells()) inside += int(system.mesh().is_inside(i, k));
+    EXPECT_EQ(inside > 0, settings[0] != "two_fluid.x_grading=3")
+        << settings[0];  // layers of other heights are not alike
   }
 }
 

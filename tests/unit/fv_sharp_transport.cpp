@@ -65,7 +65,7 @@ TEST(SharpTransport, NothingPartsFromWhatIsEmptyOrIntoWhatIsFull) {
 TEST(SharpTransport, WhatIsOutOfBoundsIsNotDrivenFurther) {
   for (const double out : {1e-7, 1e-3, 0.3, 30.0}) {
     for (const double other : {0.0, 0.4, 0.999}) {
-      EXPECT_LT(fv::parting(-out, other), 0.0);           // to the empty giver
+      EXPECT_LT(fv::parting(-out, other), 0.0);             // to the empty giver
       EXPECT_LT(fv::parting(1.0 - other, 1.0 + out), 0.0);  // from the full taker
       EXPECT_GT(fv::parting(-out, other), -1e-3);
     }

@@ -16,13 +16,13 @@ TEST(Rectilinear, GeometricCellsFillTheLengthAndKeepTheirRatio) {
 }
 
 TEST(Rectilinear, KnowsItsNeighboursInARingAndInABox) {
-  const Rectilinear ring{{0.0, 1.0, 3.0, 6.0}, {0.0, 1.0, 2.0}, true};
+  const Rectilinear ring({0.0, 1.0, 3.0, 6.0}, {0.0, 1.0, 2.0}, true);
   EXPECT_EQ(ring.n_faces(), 3);
   EXPECT_EQ(ring.column(-1), 2);
   EXPECT_EQ(ring.dx(3), 1.0);
   EXPECT_DOUBLE_EQ(ring.across_face(0), 2.0);
   EXPECT_FALSE(ring.is_end(0));
-  const Rectilinear box{ring.x_nodes, ring.z_nodes, false};
+  const Rectilinear box(ring.x_nodes, ring.z_nodes, false);
   EXPECT_EQ(box.n_faces(), 4);
   EXPECT_FALSE(box.has_column(3));
   EXPECT_TRUE(box.is_end(3));

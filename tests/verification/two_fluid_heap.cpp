@@ -56,7 +56,8 @@ TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
     const double gone = now.y[at.mass_left()] + now.y[at.mass_right()] + now.y[at.mass_top()];
     table.row({t, 1e3 * stored, 1e3 * dense, 1e3 * gone, 1e3 * highest, -least, most - 1.0,
                double(now.statistics.steps), double(now.statistics.factorisations)});
-    EXPECT_NEAR(stored + gone, now.y[at.mass_in()], 1e-12 * now.y[at.mass_in()]);
+    // Rows of masses sum to nothing; factors in single precision solve them to some 1e-7 of a correction.
+    EXPECT_NEAR(stored + gone, now.y[at.mass_in()], 1e-10 * now.y[at.mass_in()]);
     EXPECT_NEAR(now.y[at.mass_in()], 0.0046 * (t - 0.1), 5e-5);  // half the ramp is lost
     EXPECT_LT(gone, 0.1 * stored);
     EXPECT_GT(highest, highest_before);

@@ -99,7 +99,8 @@ struct WallFrictionAlong : Kernel {
     const double share = mesh->has_cell(f - 1, k) && mesh->has_cell(f, k) ? 0.25 : 0.5;
     const S w = share * (in.y[w_] + in.y[w_ + 1] + in.y[w_ + 2] + in.y[w_ + 3]);
     const S omega = mesh->jet().omega(grid().x_nodes[f], grid().z_centre(k), in.y[heap_]);
-    out[0] += wall_drag(c, {half_cell(f - 1, k), half_cell(f, k), std::max(grid().dx(f - 1), grid().dx(f))}, in.y[u_], w, &in.y[phi_], &in.y[p_], omega);
+    out[0] += wall_drag(c, {half_cell(f - 1, k), half_cell(f, k), std::max(grid().dx(f - 1), grid().dx(f))}, in.y[u_],
+                        w, &in.y[phi_], &in.y[p_], omega);
   }
 };
 
@@ -119,7 +120,8 @@ struct WallFrictionUp : Kernel {
     const double share = mesh->has_cell(i, k - 1) && mesh->has_cell(i, k) ? 0.25 : 0.5;
     const S u = share * (in.y[u_] + in.y[u_ + 1] + in.y[u_ + 2] + in.y[u_ + 3]);
     const S omega = mesh->jet().omega(grid().x_centre(i), grid().z_nodes[k], in.y[heap_]);
-    out[0] += wall_drag(c, {half_cell(i, k - 1), half_cell(i, k), std::max(grid().dz(k - 1), grid().dz(k))}, in.y[w_], u, &in.y[phi_], &in.y[p_], omega);
+    out[0] += wall_drag(c, {half_cell(i, k - 1), half_cell(i, k), std::max(grid().dz(k - 1), grid().dz(k))}, in.y[w_],
+                        u, &in.y[phi_], &in.y[p_], omega);
   }
 };
 

@@ -7,8 +7,11 @@ namespace talus::two_fluid {
 
 /// Acts on the cells of each line of fall.
 struct FallKernel : Kernel {
-  [[nodiscard]] const FallStep& step(Index number) const { return mesh->fall().steps[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const FallStep& step(Index number) const {
+    return mesh->fall().steps[static_cast<std::size_t>(number)];
+  }
   [[nodiscard]] Index n_places() const { return static_cast<Index>(mesh->fall().steps.size()); }
+  [[nodiscard]] Index alike(Index) const { return 1; }
 };
 
 /// What is poured, where the jet is known: grains in free fall from the inlet, an equal share on each line, enter the cells within a
@@ -69,6 +72,7 @@ struct HeapOnLineRelaxation : Kernel {
   static constexpr int n_in = 1, n_out = 1;
 
   [[nodiscard]] Index n_places() const { return at->n_heaps(); }
+  [[nodiscard]] Index alike(Index) const { return 1; }
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     in = {at->heap(static_cast<int>(number))};
     out = in;

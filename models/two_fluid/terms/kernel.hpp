@@ -19,6 +19,16 @@ struct Kernel {
   [[nodiscard]] Place place(Index number) const { return (*places)[static_cast<std::size_t>(number)]; }
   [[nodiscard]] const grid::Rectilinear& grid() const { return mesh->grid(); }
 
+  /// How many places from this one on, up a column, go the same way through the code.
+  [[nodiscard]] Index alike(Index number) const {
+    const auto [i, k] = place(number);
+    Index n = 1;
+    if (!mesh->is_inside(i, k)) return n;
+    while (number + n < n_places() && place(number + n).i == i && place(number + n).k == k + n &&
+           mesh->is_inside(i, static_cast<int>(k + n)))
+      ++n;
+    return n;
+  }
   /// Volume of the cell (i, k) that belongs to the momentum volume of a face or interface beside it [m2]; 0 for no cell.
   [[nodiscard]] double half_cell(int i, int k) const {
     return mesh->has_cell(i, k) ? 0.5 * grid().dx(i) * grid().dz(k) : 0.0;

@@ -84,6 +84,7 @@ struct Rates : Kernel {
   static constexpr int n_in = 1, n_out = 1;
   static constexpr bool uses_rate = true;
   std::vector<Index> rows;
+  [[nodiscard]] Index alike(Index) const { return 1; }
 
   [[nodiscard]] Index n_places() const { return static_cast<Index>(rows.size()); }
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
@@ -101,6 +102,7 @@ struct Rates : Kernel {
 /// the inlet.
 struct HeapUnderJet : Kernel {
   static constexpr int n_in = 2, n_out = 1;
+  [[nodiscard]] Index alike(Index) const { return 1; }
 
   void connect(Index number, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
     const auto [i, k] = place(number);
@@ -128,6 +130,7 @@ struct HeapUnderJet : Kernel {
 /// The other side of that balance.
 struct HeapRelaxation : Kernel {
   static constexpr int n_in = 1, n_out = 1;
+  [[nodiscard]] Index alike(Index) const { return 1; }
 
   [[nodiscard]] Index n_places() const { return 1; }
   void connect(Index, std::array<Index, n_in>& in, std::array<Index, n_out>& out) const {
