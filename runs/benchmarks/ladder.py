@@ -38,7 +38,7 @@ RUNS = {
     },
     "two_fluid": {
         "20 mm": (TWO_FLUID, ["grid.columns=30", "grid.layers=15"]),
-        "10 mm, to 150 s": (TWO_FLUID, ["two_fluid.cells=reachable", "output.times=[150]", "time.end=150"]),
+        "10 mm, to 150 s": (TWO_FLUID, ["output.times=[150]", "time.end=150"]),
     },
 }
 DEAR = {"10 mm, to 150 s"}  # minutes of CPU time

@@ -1,5 +1,5 @@
 """The two-dimensional runs behind figures 11 to 19: run once, kept, and continued where they were stopped. A heap lies in
-runs/<scene>_<preset>, the same by the two-fluid model, on cells of 10 mm, in runs/two_fluid_<scene>_<preset>."""
+runs/<scene>_<preset>, the same by the two-fluid model, on cells of 20, 10 or 5 mm, in runs/two_fluid_<scene>_<preset>."""
 
 import json
 import subprocess
@@ -18,7 +18,7 @@ TWO_FLUID = ROOT / "runs" / "benchmarks" / "two_fluid_heap.toml"
 INFLOWS = {"heap_q20": 0.0020, "heap_q46": 0.0046, "heap_q60": 0.0060}  # kg/s
 STOP = 150.0                                                           # s, of the inflow of 0.0046 kg/s
 BASE_FRICTION = 0.25
-CELLS = {"draft": (30, 15), "standard": (60, 30), "fine": (60, 30)}     # of the two-fluid model: 20 mm, 10 mm
+CELLS = {"draft": (30, 15), "standard": (60, 30), "fine": (120, 60)}    # of the two-fluid model: 20, 10, 5 mm
 RESTARTABLE = 75
 UNRESOLVED = "not resolved: its cells are deeper than the layer that flows"
 
@@ -89,8 +89,8 @@ def two_fluid(talus, scene):
     keys = {"grid.columns": columns, "grid.layers": layers, "inflow.rate": rate, "inflow.stop": stop, "wall.mu_w": mu_w,
             "time.end": example["time"]["end"] if drains else min(stop + 1.0, example["time"]["end"])}
     keys["output.times"] = [t for t in example["output"]["times"] if t <= keys["time.end"]]
-    if mu_w > 0.0:
-        keys["two_fluid.cells"] = "reachable"  # a third fewer
+    if mu_w == 0.0:
+        keys["two_fluid.cells"] = "box"  # no heap bounds what grains can reach
     sets = settings(f"{key}={value}" for key, value in keys.items())
     return Heap(kept(talus, TWO_FLUID, f"two_fluid_{scene}_{talus.preset}", sets), "two-fluid")
 
