@@ -400,7 +400,7 @@ TEST(TwoFluid, WhatFallsFreelyEntersAboveTheHeapWithItsMomentum) {
   const auto context = system.context(10.0);
   const double clearance = par.numerics.jet_clearance, tilt = par.box.tilt, length = par.box.height / std::cos(tilt);
   std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y), before(y);
-  for (const double H : {0.03, 0.0333, 0.1, 0.2}) {
+  for (const double H : {-0.015, 0.03, 0.0333, 0.1, 0.2}) {
     for (int line = 0; line < at.n_heaps(); ++line) y[at.heap(line)] = H;
     system.residual(0.0, y, yp, before);  // nothing is poured yet
     system.residual(10.0, y, yp, r);
@@ -418,6 +418,7 @@ TEST(TwoFluid, WhatFallsFreelyEntersAboveTheHeapWithItsMomentum) {
     for (const auto [i, k] : system.mesh().interfaces()) up += before[at.momentum_w(i, k)] - r[at.momentum_w(i, k)];
     EXPECT_NEAR(volume, context.poured, 1e-15);
     EXPECT_NEAR(before[at.mass_in()] - r[at.mass_in()], 0.0046, 1e-15);
+    if (H < 0.0) continue;  // the base takes some of the momentum
     EXPECT_NEAR(up / along, -1.0 / std::tan(tilt), 1e-12);
     const double speed = std::hypot(along, up) / (par.grains.rho() * volume), g = par.box.gravity;
     EXPECT_GT(speed, std::sqrt(2.0 * g * (length - H - clearance)));
