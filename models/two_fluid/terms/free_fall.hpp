@@ -15,7 +15,7 @@ struct FallKernel : Kernel {
 };
 
 /// What is poured, where the jet is known: grains in free fall from the inlet, an equal share on each line, enter the cells within a
-/// clearance above the heap, evenly but for smooth ends, and bring the speed that they have fallen to. No grain lies in the box before.
+/// clearance above the heap, evenly but for smooth ends, and bring the speed that they have fallen to. On their way they are nowhere.
 struct FreeFall : FallKernel {
   static constexpr int n_in = 5, n_out = 7;
   enum In { heap_, u_, w_ = 3 };
