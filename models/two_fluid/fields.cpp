@@ -102,7 +102,7 @@ std::vector<Entry> cell_fields() {
       field("u_centre", "m s-1", "velocity down the base, in the cell's middle", [](const C& s) { return s.u; }),
       field("w_centre", "m s-1", "velocity normal to the base, in the cell's middle", [](const C& s) { return s.w; }),
       field("speed", "m s-1", "speed of the mixture", [](const C& s) { return std::hypot(s.u, s.w); }),
-      field("pressure", "Pa", "pressure", [](const C& s) { return s.p; }),
+      field("pressure", "Pa", "pressure over that of still air", [](const C& s) { return s.p; }),
       field("strain_rate", "s-1", "second invariant of the strain rate, D_norm (3.13)",
             [](const C& s) { return s.D_norm; }),
       field("inertial_number", "1", "inertial number I (3.15) of the grains, as regularised",

@@ -135,7 +135,7 @@ void TwoFluid::initial_state(double t, std::span<double> y, std::span<double> yp
     for (int k = g.n_layers() - 1; k >= 0; --k) {
       if (!mesh_.has_cell(i, k)) continue;
       const double phi = std::clamp((parameters_.thickness - g.z_nodes[k]) / g.dz(k), 0.0, 1.0);
-      const double weight = -c.gravity_z * c.density(phi) * g.dz(k);
+      const double weight = -c.gravity_z * c.excess() * phi * g.dz(k);
       y[unknowns_.phi(i, k)] = phi;
       y[unknowns_.p(i, k)] = above + 0.5 * weight;
       above += weight;

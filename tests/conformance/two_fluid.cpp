@@ -220,6 +220,18 @@ TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
     EXPECT_LT(std::abs(r[i]), system.layout().field(i).name == "phi" ? leak : 1e-12) << system.describe(i);
 }
 
+/// Air has no weight in air: where nothing is poured yet, nothing moves through open edges of the box or of the cells.
+TEST(TwoFluid, AirAloneIsAtRestBetweenOpenEdges) {
+  for (const Settings& settings :
+       {Settings{}, {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"}, {"two_fluid.air_density=100"}}) {
+    const TwoFluid system(heap(20, 10, settings));
+    std::vector<double> y(system.layout().size()), yp(y), r(y);
+    system.initial_state(0.0, y, yp);
+    system.residual(0.0, y, yp, r);
+    for (core::Index i = 0; i < system.layout().size(); ++i) EXPECT_EQ(r[i], 0.0) << system.describe(i);
+  }
+}
+
 /// A heap under the steepest surface, the jet and the inlet lie in the cells that exist; far air does not. With a wide margin all cells exist.
 TEST(TwoFluid, ReachableCellsHoldTheHeapAndTheJet) {
   const auto reachable = [](const char* margin) {

@@ -9,7 +9,8 @@
 
 namespace talus::tests {
 
-/// A state about `system`'s initial one: velocities of up to `speed` [m/s], pressures from `p_least` to `p_most` times theirs,
+/// A state about `system`'s initial one: velocities of up to `speed` [m/s], pressures from `p_least` to `p_most` times theirs (times 1 Pa where there
+/// is none: p_0 = 0 has a kink there),
 /// thicknesses between `H_least` and `H_most` [m], volume fractions from 0 to 1, masses up to 50 g, rates of order one. Fields the generator does not know stay as they are.
 struct RandomState {
   double speed = 0.3;
@@ -26,7 +27,7 @@ struct RandomState {
     for (core::Index i = 0; i < layout.size(); ++i) {
       const auto& name = layout.field(i).name;
       if (name == "u" || name == "w" || name == "omega") y[i] += speed * (2.0 * share(random) - 1.0);
-      if (name == "p") y[i] *= p_least + (p_most - p_least) * share(random);
+      if (name == "p") y[i] = (y[i] == 0.0 ? 1.0 : y[i]) * (p_least + (p_most - p_least) * share(random));
       if (name == "phi") y[i] = share(random);
       if (name == "H") y[i] = H_least * std::pow(H_most / H_least, share(random));
       yp[i] = 2.0 * share(random) - 1.0;

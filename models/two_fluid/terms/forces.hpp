@@ -8,7 +8,8 @@
 
 namespace talus::two_fluid {
 
-/// rho (du/dt - g_x) + dp/dx of (5.15) in the momentum volume about face (f, k), and the drag of the side walls on the air in it.
+/// rho du/dt - (rho - rho_air) g_x + dp/dx of (5.15) in the momentum volume about face (f, k), p being the pressure over that of still air,
+/// and the drag of the side walls on the air in it.
 /// Through a wall nothing passes: u = 0.
 struct MomentumAlong : Kernel {
   static constexpr int n_in = 5, n_out = 1;
@@ -28,10 +29,11 @@ struct MomentumAlong : Kernel {
       out[0] += (c.parameters->grains.rho() / c.fall_time() * (left + right)) * in.y[u_];
       return;
     }
-    const S mass = left * c.density(in.y[phi_]) + right * c.density(in.y[phi_ + 1]);
-    const S air = left * (1.0 - in.y[phi_]) + right * (1.0 - in.y[phi_ + 1]);
-    out[0] +=
-        mass * (in.rate[u_] - c.gravity_x) + grid().dz(k) * (in.y[p_ + 1] - in.y[p_]) + c.air_drag * air * in.y[u_];
+    const S grains = left * in.y[phi_] + right * in.y[phi_ + 1],
+            mass = c.rho_air() * (left + right) + c.excess() * grains;
+    const S air = left + right - grains;
+    out[0] += mass * in.rate[u_] - (c.excess() * c.gravity_x) * grains + grid().dz(k) * (in.y[p_ + 1] - in.y[p_]) +
+              c.air_drag * air * in.y[u_];
   }
 };
 
@@ -55,10 +57,11 @@ struct MomentumUp : Kernel {
           (c.parameters->grains.rho() / c.fall_time() * below) * (in.y[w_] + c.inlet_speed * mesh->inlet_share(i));
       return;
     }
-    const S mass = below * c.density(in.y[phi_]) + above * c.density(in.y[phi_ + 1]);
-    const S air = below * (1.0 - in.y[phi_]) + above * (1.0 - in.y[phi_ + 1]);
-    out[0] +=
-        mass * (in.rate[w_] - c.gravity_z) + grid().dx(i) * (in.y[p_ + 1] - in.y[p_]) + c.air_drag * air * in.y[w_];
+    const S grains = below * in.y[phi_] + above * in.y[phi_ + 1],
+            mass = c.rho_air() * (below + above) + c.excess() * grains;
+    const S air = below + above - grains;
+    out[0] += mass * in.rate[w_] - (c.excess() * c.gravity_z) * grains + grid().dx(i) * (in.y[p_ + 1] - in.y[p_]) +
+              c.air_drag * air * in.y[w_];
   }
 };
 

@@ -149,7 +149,7 @@ struct BaseStress : Kernel {
     const auto mean = [&](const S& a, const S& b) { return S((left * a + right * b) / width); };
     const S& u = in.y[u_];
     const S phi = mean(in.y[phi_], in.y[phi_ + 1]);
-    const S p = mean(in.y[p_], in.y[p_ + 1]) - (0.5 * dz * c.gravity_z) * c.density(phi);  // on the base
+    const S p = mean(in.y[p_], in.y[p_ + 1]) - (0.5 * dz * c.gravity_z * c.excess()) * phi;  // on the base
     const auto drawn = [&](const S& thickness) {  // by a layer of that thickness
       const S rate = u / (0.5 * thickness);
       return S(grain_viscosity(c, S(0.25 * rate * rate), p) * rate);
