@@ -8,32 +8,17 @@
 #include <random>
 #include <set>
 
-#include "app/two_fluid_model.hpp"
-#include "support/example_scene.hpp"
-#include "support/random_state.hpp"
+#include "support/two_fluid.hpp"
 #include "two_fluid/fields.hpp"
 #include "two_fluid/grain_flux.hpp"
-#include "two_fluid/two_fluid.hpp"
 
 /// What the two-fluid model alone can promise.
 namespace {
 
 using namespace talus;
+using tests::heap_of_two_fluids, tests::Settings;
 using two_fluid::TwoFluid;
-using Settings = std::vector<std::string>;
-
-two_fluid::Parameters heap(int columns, int layers, Settings settings = {}) {
-  return app::make_two_fluid_parameters(
-      tests::Case{"two_fluid", "heap_q46"}.read(columns, layers, std::move(settings)));
-}
-
-struct State {
-  std::vector<double> y, yp, r;
-  State(const TwoFluid& system, unsigned seed, double speed = 0.3) : r(system.layout().size()) {
-    tests::RandomState{speed}.fill(system, seed, y, yp);
-    system.residual(0.1, y, yp, r);
-  }
-};
+using State = tests::TwoFluidState;
 
 /// Each switch of the model.
 const std::vector<Settings> switches{
@@ -61,7 +46,7 @@ const std::vector<Settings> switches{
 /// The Jacobian with each switch of the model.
 TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
   for (const Settings& settings : switches) {
-    const TwoFluid system(heap(9, 5, settings));
+    const TwoFluid system(heap_of_two_fluids(9, 5, settings));
     for (const unsigned seed : {1U, 2U}) {
       const State state(system, seed);
       core::Index worst = 0;
@@ -74,7 +59,7 @@ TEST(TwoFluid, JacobianIsExactWithEachSwitch) {
 /// On a grid that is deep enough for places inside it, as `EveryModel` does it for small ones.
 TEST(TwoFluid, PlacesInPacksGiveTheBitsOfPlacesOneByOneWithEachSwitch) {
   for (const Settings& settings : switches) {
-    const TwoFluid system(heap(23, 17, settings));
+    const TwoFluid system(heap_of_two_fluids(23, 17, settings));
     State state(system, 7);
     auto one_by_one = state.r;
     ASSERT_EQ(fegetexcept(), 0);
@@ -96,7 +81,7 @@ TEST(TwoFluid, EachUnknownHasANumberOfItsOwn) {
                                    {"box.periodic=true", "inflow.rate=0"},
                                    {"two_fluid.jet=free_fall"},
                                    {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"}}) {
-    const TwoFluid system(heap(15, 9, settings));
+    const TwoFluid system(heap_of_two_fluids(15, 9, settings));
     const auto& at = system.unknowns();
     std::vector<int> owners(system.layout().size(), 0);
     const auto own = [&](core::Index number) {
@@ -121,7 +106,7 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
                                    {"two_fluid.jet=free_fall", "two_fluid.direction=settling"},
                                    {"two_fluid.jet=free_fall", "two_fluid.cells=reachable"},
                                    {"two_fluid.z_grading=4"}}) {
-    const TwoFluid system(heap(20, 12, settings));
+    const TwoFluid system(heap_of_two_fluids(20, 12, settings));
     State state(system, 5);
     std::ranges::fill(state.yp, 0.0);
     system.residual(0.1, state.y, state.yp, state.r);
@@ -152,7 +137,7 @@ TEST(TwoFluid, FluxesOfGrainsAndVolumeTelescope) {
 /// zero where drho/dt is what transport, segregation included, says.
 TEST(TwoFluid, MomentumTelescopesWithTheMassFluxOfTransport) {
   for (const char* transport : {"two_fluid.transport=limited", "two_fluid.transport=upwind"}) {
-    auto par = heap(12, 9, {transport, "box.periodic=true", "inflow.rate=0", "two_fluid.z_grading=3"});
+    auto par = heap_of_two_fluids(12, 9, {transport, "box.periodic=true", "inflow.rate=0", "two_fluid.z_grading=3"});
     par.box.gravity = 0.0;
     par.wall.mu_w = 0.0;
     par.law = rheology::Constant{0.0};
@@ -181,7 +166,7 @@ TEST(TwoFluid, MomentumTelescopesWithTheMassFluxOfTransport) {
 TEST(TwoFluid, FarCellsAreReadWhereTheFluxIsOfSecondOrder) {
   constexpr double bump = 1e-3;
   for (const char* transport : {"limited", "jet", "upwind"}) {
-    const TwoFluid system(heap(20, 10, {std::string("two_fluid.transport=") + transport}));
+    const TwoFluid system(heap_of_two_fluids(20, 10, {std::string("two_fluid.transport=") + transport}));
     const auto& at = system.unknowns();
     const auto& g = system.mesh().grid();
     std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y), bumped(y);
@@ -210,8 +195,8 @@ TEST(TwoFluid, FarCellsAreReadWhereTheFluxIsOfSecondOrder) {
 }
 
 TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
-  const TwoFluid system(
-      heap(8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall", "box.right=wall"}));
+  const TwoFluid system(heap_of_two_fluids(
+      8, 12, {"box.tilt=0", "inflow.rate=0", "model.initial_thickness=0.1", "box.left=wall", "box.right=wall"}));
   std::vector<double> y(system.layout().size()), yp(y), r(y);
   system.initial_state(0.0, y, yp);
   system.residual(0.0, y, yp, r);
@@ -224,7 +209,7 @@ TEST(TwoFluid, LevelGrainsUnderAirAreAtRestToRoundOff) {
 TEST(TwoFluid, AirAloneIsAtRestBetweenOpenEdges) {
   for (const Settings& settings :
        {Settings{}, {"two_fluid.cells=reachable", "two_fluid.reach_margin=0"}, {"two_fluid.air_density=100"}}) {
-    const TwoFluid system(heap(20, 10, settings));
+    const TwoFluid system(heap_of_two_fluids(20, 10, settings));
     std::vector<double> y(system.layout().size()), yp(y), r(y);
     system.initial_state(0.0, y, yp);
     system.residual(0.0, y, yp, r);
@@ -235,7 +220,7 @@ TEST(TwoFluid, AirAloneIsAtRestBetweenOpenEdges) {
 /// A heap under the steepest surface, the jet and the inlet lie in the cells that exist; far air does not. With a wide margin all cells exist.
 TEST(TwoFluid, ReachableCellsHoldTheHeapAndTheJet) {
   const auto reachable = [](const char* margin) {
-    return heap(60, 30, {"two_fluid.cells=reachable", std::string("two_fluid.reach_margin=") + margin});
+    return heap_of_two_fluids(60, 30, {"two_fluid.cells=reachable", std::string("two_fluid.reach_margin=") + margin});
   };
   const auto par = reachable("0.02");
   const TwoFluid system(par);
@@ -263,7 +248,7 @@ TEST(TwoFluid, ReachableCellsHoldTheHeapAndTheJet) {
 TEST(TwoFluid, TransportIsOfSecondOrderInTheJetRegionAlone) {
   const auto residual = [](const char* transport, Settings settings) {
     settings.push_back(std::string("two_fluid.transport=") + transport);
-    const TwoFluid system(heap(12, 9, settings));
+    const TwoFluid system(heap_of_two_fluids(12, 9, settings));
     State state(system, 6);
     if (system.unknowns().heap() >= 0) state.y[system.unknowns().heap()] = -10.0;
     system.residual(0.1, state.y, state.yp, state.r);
@@ -283,7 +268,7 @@ TEST(TwoFluid, GrainsSettleAlongGravityButNotAlongTheBaseOverGrains) {
       Settings settings = tilt;
       settings.push_back("two_fluid.direction=settling");
       settings.push_back(std::string("two_fluid.jet_segregation=") + (in_jet ? "true" : "false"));
-      const TwoFluid system(heap(20, 10, settings));
+      const TwoFluid system(heap_of_two_fluids(20, 10, settings));
       const auto context = system.context(0.0);
       const double phi = 0.2, above_all = -10.0, under_all = 10.0;
       const two_fluid::Row<double> cloud{phi, phi, phi, phi};
@@ -317,7 +302,7 @@ TEST(TwoFluid, WhereGrainsSettleTheRowReadsTheCellBeneathTheGiver) {
     for (const char* direction : {"settling", "gravity"}) {
       Settings settings = tilt;
       settings.push_back(std::string("two_fluid.direction=") + direction);
-      const TwoFluid system(heap(20, 10, settings));
+      const TwoFluid system(heap_of_two_fluids(20, 10, settings));
       const auto& at = system.unknowns();
       const int i = 17, k = 4, taker = left ? i + 1 : i - 1;
       EXPECT_EQ(system.pattern().find(at.phi(taker, k), at.phi(i, k - 1)) >= 0, *direction == 's') << direction;
@@ -328,7 +313,7 @@ TEST(TwoFluid, WhereGrainsSettleTheRowReadsTheCellBeneathTheGiver) {
 
 /// Left and right are alike: box, cells, state and residual in the mirror.
 void mirror_box(const Settings& settings) {
-  auto par = heap(11, 7, settings);
+  auto par = heap_of_two_fluids(11, 7, settings);
   const TwoFluid system(par);
   par.box.tilt *= -1.0;
   par.inflow.position = par.box.length - par.inflow.position;
@@ -367,93 +352,10 @@ TEST(TwoFluid, AMirroredBoxHasTheMirroredRows) {
   mirror_box({"two_fluid.direction=settling", "two_fluid.jet=free_fall"});
 }
 
-/// Lines of fall are straight along gravity, without gaps, through cells that hold them, from the base to the inlet.
-TEST(TwoFluid, LinesOfFallLeadFromTheInletToTheBase) {
-  for (const Settings& settings : {Settings{},
-                                   {"two_fluid.x_grading=3", "two_fluid.z_grading=0.3"},
-                                   {"box.tilt=-20", "inflow.position=0.4"},
-                                   {"box.tilt=0"}}) {
-    Settings all = settings;
-    all.emplace_back("two_fluid.jet=free_fall");
-    const TwoFluid system(heap(23, 17, all));
-    const auto& g = system.mesh().grid();
-    const auto& par = system.parameters();
-    const auto& fall = system.mesh().fall();
-    const double inlet = std::sqrt(12.0) * par.inflow.width, tilt = par.box.tilt;
-    ASSERT_GE(fall.n_lines, 4);
-    double before = 0.0, x_mean = 0.0;
-    for (const auto& s : fall.steps) {
-      if (s.lowest) {
-        EXPECT_EQ(s.from, 0.0);
-        EXPECT_EQ(s.k, 0);
-      } else {
-        EXPECT_EQ(s.from, before);
-      }
-      before = s.to;
-      const double z = par.box.height - s.drop * std::cos(tilt);
-      const double x = par.inflow.position + inlet * ((s.line + 0.5) / fall.n_lines - 0.5) + s.drop * std::sin(tilt);
-      EXPECT_TRUE(x > g.x_nodes[s.i] && x < g.x_nodes[s.i + 1] && z > g.z_nodes[s.k] && z < g.z_nodes[s.k + 1]);
-      if (!s.highest) continue;
-      EXPECT_EQ(s.k, g.n_layers() - 1);
-      EXPECT_NEAR(s.to, par.box.height / std::cos(tilt), 1e-14);
-      x_mean += x / fall.n_lines;
-    }
-    EXPECT_NEAR(x_mean, par.inflow.position, 0.05);
-    EXPECT_EQ(std::ranges::count_if(fall.steps, [](const auto& s) { return s.highest; }), fall.n_lines);
-  }
-}
-
-/// Wherever the heap ends, all that is poured enters the cells, within the clearance above it, with the momentum of its fall.
-TEST(TwoFluid, WhatFallsFreelyEntersAboveTheHeapWithItsMomentum) {
-  const TwoFluid system(heap(60, 30, {"two_fluid.jet=free_fall"}));
-  const auto& at = system.unknowns();
-  const auto& par = system.parameters();
-  const auto& fall = system.mesh().fall();
-  const auto context = system.context(10.0);
-  const double clearance = par.numerics.jet_clearance, tilt = par.box.tilt, length = par.box.height / std::cos(tilt);
-  std::vector<double> y(system.layout().size(), 0.0), yp(y), r(y), before(y);
-  for (const double H : {-0.015, 0.03, 0.0333, 0.1, 0.2}) {
-    for (int line = 0; line < at.n_heaps(); ++line) y[at.heap(line)] = H;
-    system.residual(0.0, y, yp, before);  // nothing is poured yet
-    system.residual(10.0, y, yp, r);
-    std::set<core::Index> within;
-    for (const auto& s : fall.steps)
-      if (s.to > H && s.from < H + clearance) within.insert(at.phi(s.i, s.k));
-    double volume = 0.0, along = 0.0, up = 0.0;
-    for (const auto [i, k] : system.mesh().cells()) {
-      const double enters = before[at.phi(i, k)] - r[at.phi(i, k)];
-      volume += enters;
-      EXPECT_EQ(enters > 0.0, within.contains(at.phi(i, k))) << i << ' ' << k << ' ' << H;
-      EXPECT_EQ(enters, before[at.continuity(i, k)] - r[at.continuity(i, k)]);
-    }
-    for (const auto [f, k] : system.mesh().faces()) along += before[at.momentum_u(f, k)] - r[at.momentum_u(f, k)];
-    for (const auto [i, k] : system.mesh().interfaces()) up += before[at.momentum_w(i, k)] - r[at.momentum_w(i, k)];
-    EXPECT_NEAR(volume, context.poured, 1e-15);
-    EXPECT_NEAR(before[at.mass_in()] - r[at.mass_in()], 0.0046, 1e-15);
-    if (H < 0.0) continue;  // the base takes some of the momentum
-    EXPECT_NEAR(up / along, -1.0 / std::tan(tilt), 1e-12);
-    const double speed = std::hypot(along, up) / (par.grains.rho() * volume), g = par.box.gravity;
-    EXPECT_GT(speed, std::sqrt(2.0 * g * (length - H - clearance)));
-    EXPECT_LT(speed, std::sqrt(2.0 * g * (length - H) + std::pow(context.inlet_speed / std::cos(tilt), 2)));
-  }
-}
-
-/// The height along each line is the length that grains have of it.
-TEST(TwoFluid, TheHeightOnALineIsWhatGrainsHaveOfIt) {
-  const TwoFluid system(heap(30, 15, {"two_fluid.jet=free_fall", "model.initial_thickness=0.08"}));
-  const auto& at = system.unknowns();
-  std::vector<double> y(system.layout().size()), yp(y), r(y);
-  system.initial_state(0.0, y, yp);
-  const double height = 0.08 / std::cos(system.parameters().box.tilt);
-  for (int line = 0; line < at.n_heaps(); ++line) EXPECT_NEAR(y[at.heap(line)], height, 1e-12);
-  system.residual(0.0, y, yp, r);
-  for (int line = 0; line < at.n_heaps(); ++line) EXPECT_NEAR(r[at.heap(line)], 0.0, 1e-12);
-}
-
 /// However the inlet falls on the columns, what is poured is what the scene says.
 TEST(TwoFluid, TheInletPoursItsFlow) {
   for (const int columns : {9, 20, 60, 61}) {
-    const TwoFluid system(heap(columns, 5));
+    const TwoFluid system(heap_of_two_fluids(columns, 5));
     const auto& g = system.mesh().grid();
     const auto context = system.context(10.0);
     const auto& n = system.parameters().numerics;

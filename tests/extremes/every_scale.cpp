@@ -81,13 +81,14 @@ INSTANTIATE_TEST_SUITE_P(Scales, Heap,
                                          Settings{"integrator.max_order=1"}),
                          named);
 
+std::string refusal(const Settings& settings) {
+  try {
+    (void)tests::small("heap_q46", 24, 8, settings);
+  } catch (const core::ConfigError& error) { return error.what(); }
+  return "accepted";
+}
+
 TEST(Extremes, WhatTheModelCannotRepresentIsRefusedByKey) {
-  const auto refusal = [](const Settings& settings) -> std::string {
-    try {
-      (void)tests::small("heap_q46", 24, 8, settings);
-    } catch (const core::ConfigError& error) { return error.what(); }
-    return "accepted";
-  };
   for (const auto& [setting, key] :
        {std::pair{"model.initial_thickness=0.3", "model.initial_thickness: expected below box.height"},
         std::pair{"box.tilt=60", "inflow.position: the jet meets the base at"},
@@ -95,6 +96,31 @@ TEST(Extremes, WhatTheModelCannotRepresentIsRefusedByKey) {
         std::pair{"integrator.max_order=6", "integrator.max_order: expected"},
         std::pair{"inflow.times=[1, 2]", "inflow.shares"}})
     EXPECT_NE(refusal({setting}).find(key), std::string::npos) << setting << ": " << refusal({setting});
+}
+
+TEST(Extremes, WhatTheTwoFluidModelCannotRepresentIsRefusedByKey) {
+  for (const auto& [more, key] :
+       {std::pair{Settings{"box.surface=lid", "box.lid_pressure=100"}, "box.surface: the air above the grains is open"},
+        {Settings{"box.base=free_slip"}, "box.base: grains and air stick to a base that stands still"},
+        {Settings{"box.base_speed=1"}, "box.base: grains and air stick to a base that stands still"},
+        {Settings{"box.base_friction=0.3"}, "box.base_friction: grains and air stick to the base"},
+        {Settings{"box.base_slip_length=1e-3"}, "box.base_slip_length: grains and air stick to the base"},
+        {Settings{"box.base_slope=0.1"}, "box.base_slope: the base is a grid line"},
+        {Settings{"box.right=wall", "box.end_walls=no_slip"}, "box.end_walls: grains and air slip along end walls"},
+        {Settings{"box.left=wall", "box.right=wall"}, "box.right: grains that are poured must find a way out"},
+        {Settings{"schedule.times=[0, 1]", "schedule.gap=[3e-3, 4e-3]"}, "schedule.times: the two-fluid model's box"},
+        {Settings{"inflow.width=0.07"}, "inflow.position: the inlet, sqrt(12) inflow.width wide, leaves the top"},
+        {Settings{"two_fluid.jet=free_fall", "two_fluid.jet_segregation=true"},
+         "two_fluid.jet_segregation: no jet region is left where grains fall freely"},
+        {Settings{"two_fluid.cells=reachable", "inflow.rate=0"},
+         "two_fluid.cells: reachable cells are those that a jet pours grains into"},
+        {Settings{"two_fluid.cells=reachable", "wall.mu_w=0"}, "two_fluid.cells: no steady slope is known"},
+        {Settings{"integrator.method=steady"}, "integrator.method: the two-fluid model has no steady states"}}) {
+    Settings settings = more;
+    settings.emplace_back("model.name=two_fluid");
+    EXPECT_NE(refusal(settings).find(key), std::string::npos) << more[0] << ": " << refusal(settings);
+  }
+  EXPECT_EQ(refusal({"model.name=two_fluid"}), "accepted");
 }
 
 }  // namespace
