@@ -24,6 +24,21 @@ inline double inflow_rate(const Inflow& inflow, double t) {
   return inflow.rate * share * (ramp(t - inflow.start) - ramp(t - inflow.stop));
 }
 
+/// What the open inlet passes by the share in force at time t, ramps apart [kg/s]; from `stop` on the last before it.
+inline double open_rate(const Inflow& inflow, double t) {
+  double share = 1.0;
+  for (std::size_t i = 0; i < inflow.times.size(); ++i)
+    if (inflow.times[i] <= t && inflow.times[i] < inflow.stop) share = inflow.shares[i];
+  return inflow.rate * share;
+}
+
+/// The most that the inlet ever passes [kg/s].
+inline double largest_rate(const Inflow& inflow) {
+  double most = open_rate(inflow, inflow.start);
+  for (const double t : inflow.times) most = std::max(most, open_rate(inflow, std::max(t, inflow.start)));
+  return most;
+}
+
 /// Times [s], ascending, at which the rate is not smooth.
 inline std::vector<double> breakpoints(const Inflow& inflow) {
   if (!(inflow.rate > 0.0)) return {};

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "app/models.hpp"
+#include "experiment/inflow.hpp"
 #include "grid/layering.hpp"
 #include "grid/rectilinear.hpp"
 #include "steady/regularised_profile.hpp"
@@ -155,10 +156,11 @@ bool known(const experiment::Box& box) {
   return !box.lid && holds && (box.periodic || box.right_open);
 }
 
-/// The steady state of the box at one time, its layers counted but not judged.
+/// The steady state of box and inlet at one time, its layers counted but not judged.
 Theory theory_at(const Scene& stated, double t) {
   Scene scene = stated;
   scene.box = experiment::box_at(stated.box, stated.motion, t);
+  scene.inflow.rate = experiment::open_rate(stated.inflow, t);
   Theory theory;
   if (!known(scene.box)) {
     theory.reason = "not known for such a box";
@@ -176,11 +178,11 @@ Theory theory_at(const Scene& stated, double t) {
   return theory;
 }
 
-/// Of the steady states that a moving box passes, the one that carries most.
+/// Of the steady states that a moving box or a changing inflow passes, the one that carries most.
 std::optional<Theory::Steady> strongest(const Scene& s) {
   std::vector<double> times{0.0, s.end};
-  for (const auto* moved : {&s.motion.tilt, &s.motion.gap})
-    std::ranges::copy_if(moved->at, std::back_inserter(times), [&](double t) { return t > 0.0 && t < s.end; });
+  for (const auto* changes : {&s.motion.tilt.at, &s.motion.gap.at, &s.inflow.times})
+    std::ranges::copy_if(*changes, std::back_inserter(times), [&](double t) { return t > 0.0 && t < s.end; });
   std::optional<Theory::Steady> most;
   for (const double t : times) {
     auto steady = theory_at(s, t).steady;
@@ -196,8 +198,8 @@ void judge_grid(const Scene& s, Theory& theory) {
     theory.warnings.push_back(format("columns of %.1f mm do not resolve the jet, whose standard deviation is %.1f mm",
                                      1e3 * dx, 1e3 * s.inflow.width));
   }
-  const bool moves = !s.motion.tilt.at.empty() || !s.motion.gap.at.empty();
-  const auto judged = moves ? strongest(s) : theory.steady;
+  const bool changes = !s.motion.tilt.at.empty() || !s.motion.gap.at.empty() || !s.inflow.times.empty();
+  const auto judged = changes ? strongest(s) : theory.steady;
   if (judged && judged->layers < fewest_layers) {
     theory.warnings.push_back(
         format("the grid cannot resolve the flowing layer: %.1f layers within its %.1f mm, at least %.0f are needed "

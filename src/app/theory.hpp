@@ -30,7 +30,8 @@ struct Theory {
 /// heap within 0.6 degrees.
 inline constexpr double fewest_layers = 4.0;
 
-/// The steady state is that of the box as it stands at the end; the grid is held against the strongest that it passes.
+/// The steady state is that of the box as it stands at the end, and of the last flow that its inlet passes; the grid is held against the
+/// strongest that they pass.
 Theory theory_of(const Scene& scene);
 
 /// The grains between the walls of the box as stated.

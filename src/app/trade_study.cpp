@@ -214,10 +214,11 @@ std::optional<ExactSlope> exact_slope_of(const Scene& scene) {
   const auto theory = theory_of(scene);
   if (!theory.steady || !theory.steady->heap) return std::nullopt;
   std::optional<double> time;
+  const double rate = experiment::open_rate(scene.inflow, scene.end);
   for (const double t : scene.recording.listed_times) {
-    if (experiment::inflow_rate(scene.inflow, t) == scene.inflow.rate) time = t;
+    if (experiment::inflow_rate(scene.inflow, t) == rate) time = t;
   }
-  if (experiment::inflow_rate(scene.inflow, scene.end) == scene.inflow.rate) time = scene.end;
+  if (experiment::inflow_rate(scene.inflow, scene.end) == rate) time = scene.end;
   if (!time) return std::nullopt;
   return ExactSlope{*time, theory.steady->flow.zeta() * 180.0 / std::numbers::pi};
 }

@@ -1,6 +1,7 @@
 #include "app/two_fluid_model.hpp"
 
 #include "app/theory.hpp"
+#include "experiment/inflow.hpp"
 #include "steady/slope.hpp"
 #include "two_fluid/fields.hpp"
 #include "two_fluid/two_fluid.hpp"
@@ -11,7 +12,7 @@ namespace {
 /// Of the highest surface that the scene's flow can have [rad].
 std::optional<double> reach_slope(const Scene& scene) {
   if (scene.two_fluid.reach.slope || !(scene.wall.mu_w > 0.0)) return scene.two_fluid.reach.slope;
-  const auto exact = steady::slope_of_flux(channel_of(scene), scene.inflow.rate);
+  const auto exact = steady::slope_of_flux(channel_of(scene), experiment::largest_rate(scene.inflow));
   return exact ? std::optional(*exact) : std::nullopt;
 }
 
@@ -49,7 +50,7 @@ void check(const Scene& scene, const config::Values& values, config::Problems& p
     if (!(scene.inflow.rate > 0.0))
       refuse("two_fluid.cells",
              "reachable cells are those that a jet pours grains into; expected box where nothing is poured");
-    else if (!reach_slope(scene))
+    else if (scene.inflow.shares.size() == scene.inflow.times.size() && !reach_slope(scene))  // else refused already
       refuse("two_fluid.cells", "no steady slope is known for this flow; expected two_fluid.reach_slope, or box");
   }
   if (scene.integration.method == Integration::Method::steady)

@@ -6,6 +6,8 @@
 #include "app/progress.hpp"
 #include "app/scene.hpp"
 #include "app/selected_fields.hpp"
+#include "app/theory.hpp"
+#include "app/two_fluid_model.hpp"
 #include "support/heap_fields.hpp"
 
 namespace {
@@ -114,6 +116,36 @@ TEST(Scene, HasALidAndWallsWhereItSaysSo) {
   EXPECT_TRUE(box.left_open);
   EXPECT_FALSE(box.right_open);
   EXPECT_EQ(box.end_walls, experiment::Contact::no_slip);
+}
+
+/// The steady heap is that of the last flow, the grid is held against the largest, and so is what grains can reach.
+TEST(Theory, FollowsTheFlowsThatTheInletPasses) {
+  const auto heap = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"grid.columns=60", "grid.layers=16"});
+    return app::read_scene(TALUS_SOURCE_DIR "/runs/examples/heap_q46.toml", settings);
+  };
+  const auto slope = [&](const std::vector<std::string>& settings) {
+    return app::theory_of(heap(settings)).steady->flow.zeta();
+  };
+  const double half = slope({"inflow.rate=0.0023"}), whole = slope({});
+  EXPECT_LT(half, whole - 0.05);
+  EXPECT_EQ(slope({"inflow.times=[10, 60]", "inflow.shares=[2, 0.5]"}), half);
+  EXPECT_EQ(slope({"inflow.times=[10, 200]", "inflow.shares=[0.5, 2]"}), half) << "closed by then";
+  EXPECT_EQ(slope({"inflow.times=[400]", "inflow.shares=[0.5]"}), whole) << "after the end";
+  EXPECT_FALSE(app::theory_of(heap({"inflow.times=[60]", "inflow.shares=[0]"})).steady);
+
+  EXPECT_EQ(app::theory_of(heap({"inflow.rate=0.0005"})).warnings.size(), 1U) << "a layer of 3.7 layers of the grid";
+  EXPECT_TRUE(app::theory_of(heap({})).warnings.empty());
+  EXPECT_TRUE(app::theory_of(heap({"inflow.times=[60]", "inflow.shares=[0.11]"})).warnings.empty());
+
+  const auto reached = [&](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"model.name=two_fluid", "two_fluid.cells=reachable"});
+    return *app::make_two_fluid_parameters(heap(settings)).numerics.reach.slope;
+  };
+  const double doubled = reached({"inflow.rate=0.0092"});
+  EXPECT_GT(doubled, reached({}) + 0.02);
+  EXPECT_EQ(reached({"inflow.times=[10, 60]", "inflow.shares=[2, 0.5]"}), doubled);
+  EXPECT_EQ(reached({"inflow.times=[10]", "inflow.shares=[0.5]"}), reached({}));
 }
 
 TEST(Scene, RecomputesTheCrossoverWhereItIsNotGiven) {
