@@ -3,6 +3,7 @@
 #include <dmumps_c.h>
 #include <smumps_c.h>
 
+#include <cstdint>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -62,6 +63,21 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
   library_->a = values_.data();
   library_->perm_in = places_.data();
   call(analyse);
+  reserve(first_spare);
+}
+
+/// Workspace for the real numbers, `spare` per cent beyond what was foreseen; what it holds is lost.
+template <class Real>
+void MumpsFactors<Real>::reserve(int spare) {
+  constexpr int foreseen = 8;  // in millions where negative
+  constexpr std::int64_t million = 1000000;
+  const std::int64_t entries = library_->info[foreseen - 1];
+  const std::int64_t all = (entries < 0 ? -million * entries : entries) * (100 + spare) / 100;
+  const bool fits = all <= std::numeric_limits<int>::max();
+  workspace_.reset();
+  library_->lwk_user = static_cast<int>(fits ? all : -(all + million - 1) / million);
+  workspace_ = std::make_unique_for_overwrite<Real[]>(fits ? all : -million * library_->lwk_user);
+  library_->wk_user = workspace_.get();
 }
 
 template <class Real>
@@ -89,6 +105,7 @@ void MumpsFactors<Real>::factor() {
   for (int& spare = library_->control(spare_memory); library_->state() < 0; call(factorise)) {
     if (spare >= most_spare) throw SingularMatrix("MUMPS: too many pivots are too small", -1);
     spare *= 2;
+    reserve(spare);
   }
 }
 

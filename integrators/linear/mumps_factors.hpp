@@ -33,11 +33,14 @@ class MumpsFactors {
   struct Library;  ///< MUMPS' structure
 
   void call(int job);
+  void reserve(int spare);
 
   std::vector<int> rows_, columns_;  ///< of the entries, from one on, as MUMPS wants them
   std::vector<int> places_;          ///< of the unknowns in the ordering, from one on
   std::vector<Real> values_;
   std::unique_ptr<Library> library_;
+  std::unique_ptr<Real[]>
+      workspace_;  ///< of the factors: kept, since new pages of memory cost a quarter of a factorisation
 };
 
 }  // namespace talus::linear
