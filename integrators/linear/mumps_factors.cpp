@@ -24,8 +24,7 @@ constexpr int given = 1;
 constexpr int workspace_too_small_for_integers = -8, workspace_too_small = -9, structurally_singular = -6,
               singular = -10, no_memory_left = -13, no_memory_left_inside = -7;
 
-/// Workspace beyond what was foreseen, for pivots that had to wait [%].
-constexpr int first_spare = 50, most_spare = 6400;
+constexpr int least_spare = 50, most_spare = 6400;  // [%]
 
 }  // namespace
 
@@ -36,7 +35,7 @@ struct MumpsFactors<Real>::Library : std::conditional_t<std::is_same_v<Real, dou
 };
 
 template <class Real>
-MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
+MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern, int spare)
     : values_(pattern.n_nonzeros()), library_(std::make_unique<Library>()) {
   if (pattern.n() > std::numeric_limits<int>::max()) throw std::invalid_argument("MumpsFactors: too many unknowns");
   for (Index j = 0; j < pattern.n(); ++j)
@@ -55,7 +54,7 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
   library_->control(transversal) = 0;
   library_->control(ordering) = given;
   library_->control(scaling) = 0;
-  library_->control(spare_memory) = first_spare;
+  library_->control(spare_memory) = least_spare;
   library_->n = static_cast<int>(pattern.n());
   library_->nnz = pattern.n_nonzeros();
   library_->irn = rows_.data();
@@ -63,7 +62,7 @@ MumpsFactors<Real>::MumpsFactors(const SparsePattern& pattern)
   library_->a = values_.data();
   library_->perm_in = places_.data();
   call(analyse);
-  reserve(first_spare);
+  reserve(spare);
 }
 
 /// Workspace for the real numbers, `spare` per cent beyond what was foreseen; what it holds is lost.

@@ -13,8 +13,9 @@ namespace talus::linear {
 template <class Real>
 class MumpsFactors {
  public:
+  /// `spare` [%] is the workspace beyond what is foreseen, for pivots that have to wait; it grows where it is too small.
   /// Throws SingularMatrix where no numbering has a diagonal without structural zeros, std::bad_alloc.
-  explicit MumpsFactors(const SparsePattern& pattern);
+  explicit MumpsFactors(const SparsePattern& pattern, int spare = 50);
   MumpsFactors(const MumpsFactors&) = delete;
   MumpsFactors& operator=(const MumpsFactors&) = delete;
   ~MumpsFactors();
