@@ -40,8 +40,7 @@ class MumpsFactors {
   std::vector<int> places_;          ///< of the unknowns in the ordering, from one on
   std::vector<Real> values_;
   std::unique_ptr<Library> library_;
-  std::unique_ptr<Real[]>
-      workspace_;  ///< of the factors: kept, since new pages of memory cost a quarter of a factorisation
+  std::unique_ptr<Real[]> workspace_;  ///< kept: new pages of memory cost a quarter of a factorisation
 };
 
 }  // namespace talus::linear

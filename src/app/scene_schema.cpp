@@ -186,7 +186,7 @@ void numerics(Schema& s) {
   s.add(number("reach_slope", "degree", "against the horizontal, of the steepest surface for cells = reachable")
             .above(0.0)
             .below(90.0)
-            .optional("that of the exact steady flow"));
+            .optional("that of the exact flow of the largest inflow"));
   s.add(number("reach_margin", "m", "of reachable cells above the highest heap and beside the jet")
             .at_least(0.0)
             .fallback(0.06));
