@@ -30,6 +30,7 @@ inline const std::vector<Family>& families() {
       {"Spectra", R"(Spectra/.*)", "Spectra::.*", "integrators/"},
       {"Eigen", R"((unsupported/)?Eigen/.*)", "Eigen3::Eigen", ""},
       {"POSIX", R"((sys/.*|unistd|fcntl|signal|poll|spawn)\.h)", "", "src/"},
+      {"dynamic linking", R"(dlfcn\.h)", "", "integrators/linear/"},
   };
   return list;
 }
