@@ -9,7 +9,7 @@
 #include "two_fluid/cell_state.hpp"
 #include "two_fluid/two_fluid.hpp"
 
-/// The first seconds of the heap by two fluids, on cells of 20 mm: that it holds together, not that it is resolved.
+/// The first seconds of the heap by two fluids, on cells of 10 mm: that it holds together, not that it is resolved.
 namespace {
 
 using namespace talus;
@@ -24,8 +24,7 @@ void expect_one_class(const two_fluid::CellState& s) {
 }
 
 TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
-  const auto scene =
-      app::read_scene(TALUS_SOURCE_DIR "/runs/benchmarks/two_fluid_heap.toml", {"grid.columns=30", "grid.layers=15"});
+  const auto scene = app::read_scene(TALUS_SOURCE_DIR "/runs/benchmarks/two_fluid_heap.toml");
   const two_fluid::TwoFluid system(app::make_two_fluid_parameters(scene));
   const auto& at = system.unknowns();
   const auto& g = system.mesh().grid();
@@ -52,7 +51,7 @@ TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
       }
       least = std::min(least, phi), most = std::max(most, phi);
     }
-    for (int i = 0; i < 30; ++i) highest = std::max(highest, two_fluid::heap_height(system, now.y, i));
+    for (int i = 0; i < g.n_columns(); ++i) highest = std::max(highest, two_fluid::heap_height(system, now.y, i));
     const double gone = now.y[at.mass_left()] + now.y[at.mass_right()] + now.y[at.mass_top()];
     table.row({t, 1e3 * stored, 1e3 * dense, 1e3 * gone, 1e3 * highest, -least, most - 1.0,
                double(now.statistics.steps), double(now.statistics.factorisations)});
@@ -65,7 +64,7 @@ TEST(TwoFluidHeap, GathersUnderTheJetAndKeepsItsMass) {
     EXPECT_LE(most, 1.0 + 1e-6);
     highest_before = highest;
   }
-  EXPECT_GT(highest_before, 0.015);
+  EXPECT_GT(highest_before, 0.025);
 }
 
 }  // namespace
