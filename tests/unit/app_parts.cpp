@@ -97,6 +97,12 @@ TEST(Scene, GoesIntoTheModelInSiUnitsAndRadians) {
   EXPECT_NEAR(std::get<rheology::PartiallyRegularised>(p.law).A, 2257.43947669322, 1e-8);
 }
 
+TEST(Scene, GivesNewtonsMethodItsTolerance) {
+  const auto scene =
+      app::read_scene(TALUS_SOURCE_DIR "/runs/examples/heap_q46.toml", {"integrator.newton_tolerance=3e-4"});
+  EXPECT_EQ(app::make_integrator_options(scene).newton.tolerance, 3e-4);
+}
+
 TEST(Scene, HasALidAndWallsWhereItSaysSo) {
   const auto shear_cell = TALUS_SOURCE_DIR "/runs/examples/shear_cell.toml";
   const auto sheared = app::make_layer_parameters(app::read_scene(shear_cell, {"box.base_speed=-0.02"})).box;
