@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/sparse_pattern.hpp"
+#include "linear/direct_solver.hpp"
 
 /// Matrices like those of the integrators, for the tests of the direct solvers.
 namespace talus::test {
@@ -134,6 +135,41 @@ inline Matrix saddle_point(Index columns, Index layers, double c_j, ConstraintAt
     }
   }
   return m.build();
+}
+
+/// max |b - A x| over max (|A| |x| + |b|), each row divided by its largest entry: computed here, not by the solver.
+inline double relative_residual(const Matrix& m, const std::vector<double>& x, const std::vector<double>& b) {
+  std::vector<double> r(b), size(b.size()), scale(b.size(), 0.0);
+  for (std::size_t i = 0; i < b.size(); ++i) size[i] = std::abs(b[i]);
+  for (Index j = 0; j < m.pattern.n(); ++j) {
+    for (Index k = m.pattern.column_starts()[j]; k < m.pattern.column_starts()[j + 1]; ++k) {
+      const Index i = m.pattern.rows()[k];
+      r[i] -= m.values[k] * x[j];
+      size[i] += std::abs(m.values[k] * x[j]);
+      scale[i] = std::max(scale[i], std::abs(m.values[k]));
+    }
+  }
+  double error = 0.0, whole = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    error = std::max(error, std::abs(r[i]) / scale[i]);
+    whole = std::max(whole, size[i] / scale[i]);
+  }
+  return error / whole;
+}
+
+inline std::vector<double> right_side(const Matrix& m) {
+  Random random;
+  std::vector<double> b(m.pattern.n());
+  std::generate(b.begin(), b.end(), [&] { return random(); });
+  return b;
+}
+
+inline double solve_residual(linear::DirectSolver& solver, const Matrix& m) {
+  solver.factor(m.values);
+  const auto b = right_side(m);
+  auto x = b;
+  solver.solve(x);
+  return relative_residual(m, x, b);
 }
 
 }  // namespace talus::test
